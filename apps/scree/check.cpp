@@ -1,0 +1,36 @@
+#include "scree/run.hpp"
+#include "scree/simulation.hpp"
+#include "scree/well_posedness.hpp"
+#include "scree/with_dimensions.hpp"
+
+#include <fmt/format.h>
+
+namespace scree::app {
+
+std::string cost_of(const Scene& scene) {
+  std::string text = with_dimensions(scene, [&](auto dimensions, auto components) {
+    const Simulation<dimensions(), components()> simulation{scene, {1}};
+    const auto& state = simulation.state;
+    const mpm::TimeStep step = simulation.next_step();
+    const double node_bytes =
+        static_cast<double>(state.nodes.num_nodes() * state.nodes.record().size()) * sizeof(double);
+    const double point_bytes = static_cast<double>(state.particles.size()) *
+                               static_cast<double>(state.particles.bytes_per_particle());
+    const double steps = scene.end / step.dt;
+    const double megabyte = 1e6;
+    return fmt::format(
+        "points   {} ({} bytes each)\n"
+        "cells    {}\n"
+        "dt       {:.3e} s at the start, bound by the {} limit\n"
+        "steps    about {:.3g}, {:.3g} point updates\n"
+        "memory   {:.3g} MB\n",
+        simulation.num_points(), state.particles.bytes_per_particle(), simulation.grid().cells().num_sites(),
+        step.dt, mpm::limit_names[static_cast<std::size_t>(step.limit)], steps,
+        steps * static_cast<double>(simulation.num_points()), (node_bytes + 2 * point_bytes) / megabyte);
+  });
+  const std::string warning = ill_posedness_warning(scene);
+  if (!warning.empty()) text += "warning: " + warning + "\n";
+  return text;
+}
+
+}  // namespace scree::app

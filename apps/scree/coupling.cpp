@@ -1,0 +1,138 @@
+#include "scree/coupling.hpp"
+
+#include "scree/dimensions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree::app {
+
+template <int D, int V>
+void add_grains(mpm::Particles<D, V>& particles, const grainsize::Distribution& grains) {
+  const auto num_classes = static_cast<int>(grains.classes.size());
+  const std::size_t fractions = particles.add_column({std::string{fraction_column}, "Phi", "-"}, num_classes);
+  for (int k = 0; k < num_classes; ++k) {
+    double* phi = particles.column(fractions).component(k);
+    std::fill(phi, phi + particles.size(), grains.fractions[static_cast<std::size_t>(k)]);
+  }
+  particles.add_column({std::string{grain_size_column}, "s_a", "m"}, 1);
+  update_grain_size(particles, grains.classes);
+}
+
+template <int D, int V>
+void update_grain_size(mpm::Particles<D, V>& particles, const grainsize::SizeClasses& classes) {
+  const mpm::Column& fractions = particles.column(particles.find_column(fraction_column, "the mean size"));
+  double* size = particles.column(particles.find_column(grain_size_column, "the mean size")).component(0);
+  std::fill(size, size + particles.size(), 0.0);
+  for (int k = 0; k < fractions.num_components(); ++k) {
+    const double* phi = fractions.component(k);
+    const double diameter = classes.diameters()[static_cast<std::size_t>(k)];
+    for (Index p = 0; p < particles.size(); ++p) size[p] += phi[p] * diameter;
+  }
+}
+
+template <int D, int V>
+void observe_fractions(const mpm::Particles<D, V>& particles, FractionExtremes& extremes) {
+  const mpm::Column& fractions = particles.column(particles.find_column(fraction_column, "the summary"));
+  for (Index p = 0; p < particles.size(); ++p) {
+    double sum = 0;
+    for (int k = 0; k < fractions.num_components(); ++k) {
+      const double phi = fractions.component(k)[p];
+      extremes.lowest = std::min(extremes.lowest, phi);
+      extremes.highest = std::max(extremes.highest, phi);
+      sum += phi;
+    }
+    extremes.sum_error = std::max(extremes.sum_error, std::abs(sum - 1));
+  }
+}
+
+template <int D, int V>
+std::vector<double> class_masses(const mpm::Particles<D, V>& particles) {
+  const mpm::Column& fractions = particles.column(particles.find_column(fraction_column, "the summary"));
+  std::vector<double> masses;
+  for (int k = 0; k < fractions.num_components(); ++k) {
+    double sum = 0;
+    for (Index p = 0; p < particles.size(); ++p) {
+      sum += particles.mass.component(0)[p] * fractions.component(k)[p];
+    }
+    masses.push_back(sum);
+  }
+  return masses;
+}
+
+template <int D, int V>
+Coupling<D, V>::Coupling(const SegregationScene& scene, const grainsize::SizeClasses& classes,
+                         const CartesianGrid<D>& grid, const mpm::AnyShape& shape,
+                         const Vector<D>& gravity_direction, Threads threads)
+    : classes_{classes},
+      closure_{scene.closure},
+      map_{scene.map},
+      threads_{threads},
+      cells_{grid, scene.control_volumes, shape},
+      segregation_{classes,
+                   {.closure = scene.closure,
+                    .remixing = scene.remixing,
+                    .limiter = scene.limiter,
+                    .integrator = scene.integrator,
+                    .cfl = scene.cfl},
+                   cells_.lattice(),
+                   gravity_direction,
+                   threads} {
+  const auto num_sites = static_cast<std::size_t>(cells_.lattice().num_sites());
+  masses_.resize(num_sites);
+  drive_.resize(num_sites);
+  means_.resize(num_sites * (classes.size() + 1));
+  old_fractions_.resize(num_sites * classes.size());
+  new_fractions_.resize(num_sites * classes.size());
+}
+
+template <int D, int V>
+void Coupling<D, V>::drive_of_points(const mpm::Particles<D, V>& particles) {
+  if (point_drive_.size() != particles.size()) point_drive_.resize(particles.size());
+  const double* size = particles.column(particles.find_column(grain_size_column, "segregation")).component(0);
+  double* drive = point_drive_.component(0);
+  std::visit(
+      [&](const auto& closure) {
+        for (Index p = 0; p < particles.size(); ++p) {
+          drive[p] = closure.drive(shear_rate(mpm::velocity_gradient_of(particles, p)), size[p]);
+        }
+      },
+      closure_);
+}
+
+template <int D, int V>
+void Coupling<D, V>::to_sites(const mpm::State<D, V>& state, const mpm::Column& fractions) {
+  const std::size_t num_classes = classes_.size();
+  std::vector<mpm::CarriedField> fields{{&point_drive_, 0}};
+  for (int k = 0; k < fractions.num_components(); ++k) fields.push_back({&fractions, k});
+  cells_.to_sites(state.particles, state.blocks, fields, masses_, means_, threads_);
+  for (std::size_t site = 0; site < masses_.size(); ++site) {
+    const double* means = means_.data() + site * (num_classes + 1);
+    drive_[site] = means[0];
+    std::copy(means + 1, means + 1 + num_classes, old_fractions_.data() + site * num_classes);
+  }
+}
+
+template <int D, int V>
+grainsize::SegregationReport Coupling<D, V>::advance(mpm::State<D, V>& state, double dt) {
+  mpm::Particles<D, V>& particles = state.particles;
+  mpm::Column& fractions = particles.column(particles.find_column(fraction_column, "segregation"));
+  drive_of_points(particles);
+  to_sites(state, fractions);
+  new_fractions_ = old_fractions_;
+  const auto report = segregation_.advance(masses_, drive_, new_fractions_, dt);
+  cells_.to_points(state.blocks, particles, fractions, old_fractions_, new_fractions_, map_, threads_);
+  update_grain_size(particles, classes_);
+  return report;
+}
+
+#define SCREE_INSTANCE(D, V)                                                             \
+  template void add_grains(mpm::Particles<D, V>&, const grainsize::Distribution&);       \
+  template void update_grain_size(mpm::Particles<D, V>&, const grainsize::SizeClasses&); \
+  template void observe_fractions(const mpm::Particles<D, V>&, FractionExtremes&);       \
+  template std::vector<double> class_masses(const mpm::Particles<D, V>&);                \
+  template class Coupling<D, V>;
+SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
+#undef SCREE_INSTANCE
+
+}  // namespace scree::app

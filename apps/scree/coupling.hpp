@@ -1,0 +1,71 @@
+#pragma once
+
+#include "scree/scene.hpp"
+
+#include <scree/grainsize/segregation.hpp>
+#include <scree/mpm/carried_cells.hpp>
+#include <scree/mpm/step.hpp>
+
+#include <span>
+#include <vector>
+
+namespace scree::app {
+
+/// Names of the columns that a run with grains adds to its points.
+inline constexpr std::string_view fraction_column = "fraction";
+inline constexpr std::string_view grain_size_column = "grain_size";
+
+/// What the fractions of all points have been at their worst since the run began.
+struct FractionExtremes {
+  double lowest = 1;     ///< smallest fraction [-]
+  double highest = 0;    ///< largest fraction [-]
+  double sum_error = 0;  ///< largest |sum - 1| [-]
+};
+
+/// Gives every point the fractions of a distribution, and its mean size as the column the law reads.
+template <int D, int V>
+void add_grains(mpm::Particles<D, V>& particles, const grainsize::Distribution& grains);
+
+/// Mean size s_a of every point, from its fractions.  Eq. (G1)
+template <int D, int V>
+void update_grain_size(mpm::Particles<D, V>& particles, const grainsize::SizeClasses& classes);
+
+/// Widens `extremes` by the fractions as they are.
+template <int D, int V>
+void observe_fractions(const mpm::Particles<D, V>& particles, FractionExtremes& extremes);
+
+/// Mass of each size class in all points [kg].
+template <int D, int V>
+[[nodiscard]] std::vector<double> class_masses(const mpm::Particles<D, V>& particles);
+
+/// Where material points and grain size meet: fractions to the control volumes, one segregation step there,
+/// the change back to the points.
+template <int D, int V>
+class Coupling {
+ public:
+  /// @param gravity_direction unit vector along the axes of the mesh, or zero
+  Coupling(const SegregationScene& scene, const grainsize::SizeClasses& classes, const CartesianGrid<D>& grid,
+           const mpm::AnyShape& shape, const Vector<D>& gravity_direction, Threads threads);
+
+  /// Lets the grains of all points segregate over dt [s].
+  grainsize::SegregationReport advance(mpm::State<D, V>& state, double dt);
+
+ private:
+  void drive_of_points(const mpm::Particles<D, V>& particles);
+  void to_sites(const mpm::State<D, V>& state, const mpm::Column& fractions);
+
+  grainsize::SizeClasses classes_;
+  grainsize::AnyClosure closure_;
+  mpm::CarriedMap map_;
+  Threads threads_;
+  mpm::CarriedCells<D, V> cells_;
+  grainsize::Segregation<D> segregation_;
+  mpm::Column point_drive_{{"segregation_drive", "", "closure's own"}, 1};
+  std::vector<double> masses_;         // num_sites
+  std::vector<double> drive_;          // num_sites
+  std::vector<double> means_;          // num_sites x (num_classes + 1)
+  std::vector<double> old_fractions_;  // num_sites x num_classes
+  std::vector<double> new_fractions_;  // num_sites x num_classes
+};
+
+}  // namespace scree::app

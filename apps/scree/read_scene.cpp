@@ -1,0 +1,286 @@
+#include "scree/axes.hpp"
+#include "scree/chosen.hpp"
+#include "scree/output_fields.hpp"
+#include "scree/scene.hpp"
+
+#include <scree/io/toml_reader.hpp>
+#include <scree/parameter.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace scree::app {
+
+namespace {
+
+using io::above;
+using io::at_least;
+using io::between;
+using io::TomlTable;
+
+/// A law from its parameters, each a key of the table.
+template <rheology::DescribedLaw Law>
+void read_model(const TomlTable& table, auto& chosen) {
+  Law law{};
+  for (const auto& parameter : Law::parameters) {
+    law.*parameter.member =
+        table.number(parameter.name, fmt::format("{} [{}]", parameter.meaning, parameter.unit),
+                     parameter.bound == rheology::Bound::positive ? above(0) : at_least(0));
+  }
+  chosen = law;
+}
+
+/// Any other model, from the parameters of its constructor; what that objects to is put down to the table.
+template <class Model>
+void read_model(const TomlTable& table, auto& chosen) {
+  constexpr auto parameters = parameters_of<Model>();
+  std::array<double, parameters.size()> values{};
+  bool is_sound = true;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Parameter& parameter = parameters[i];
+    const std::string meaning = fmt::format("{} [{}]", parameter.meaning, parameter.unit);
+    values[i] = std::isnan(parameter.fallback) ? table.number(parameter.name, meaning)
+                                               : table.number_or(parameter.fallback, parameter.name, meaning);
+    is_sound = is_sound && table.is_sound(parameter.name);
+  }
+  if (!is_sound) return;
+  try {
+    chosen = make_model<Model>(values);
+  } catch (const InputError& error) {
+    if constexpr (parameters.size() > 0) table.add_fault(parameters[0].name, error.what());
+  }
+}
+
+/// The entry of a list that `name` names, made from the parameters in the table.
+template <class List>
+void read_named(const TomlTable& table, std::string_view name, List& chosen) {
+  for_each_entry<List>([&](auto entry) {
+    using Model = typename decltype(entry)::type;
+    if (Model::name == name) read_model<Model>(table, chosen);
+  });
+}
+
+/// The entry of a list that `key` names; the first one if the key is absent and there is a fallback.
+template <class List>
+void read_chosen(const TomlTable& table, std::string_view key, std::string_view meaning, List& chosen,
+                 std::string_view fallback = {}) {
+  constexpr auto names = names_of<List>();
+  read_named(
+      table,
+      fallback.empty() ? table.choice(key, meaning, names) : table.choice_or(fallback, key, meaning, names),
+      chosen);
+}
+
+[[nodiscard]] MeshScene read_mesh(const TomlTable& table) {
+  MeshScene mesh;
+  mesh.dimensions = static_cast<int>(table.integer("dimensions", "dimensions of space", between(1, 3)));
+  if (!table.is_sound("dimensions")) mesh.dimensions = 2;
+  mesh.velocity_components = static_cast<int>(table.integer_or(
+      mesh.dimensions, "velocity_components", "components of velocity", between(mesh.dimensions, 3)));
+  if (!table.is_sound("velocity_components")) mesh.velocity_components = mesh.dimensions;
+  const auto dimensions = static_cast<std::size_t>(mesh.dimensions);
+  mesh.size = table.numbers("size", "edges of the mesh [m], one per dimension", above(0), dimensions);
+  mesh.cells = table.integer("cells", "number of cells along y", between(1, 1e6));
+  if (!table.is_sound("size") || !table.is_sound("cells")) {
+    mesh.size.assign(dimensions, 1.0);
+    mesh.cells = 1;
+    return mesh;
+  }
+  const double edge = mesh.size[static_cast<std::size_t>(normal_component(mesh.dimensions))] /
+                      static_cast<double>(mesh.cells);
+  for (const double size : mesh.size) {
+    const double cells = size / edge;
+    table.check(std::round(cells) >= 1 && std::abs(cells - std::round(cells)) <= 1e-6 * cells,
+                {"size", "cells"},
+                fmt::format("each edge must be a whole number of cells, whose edge is {:g} m", edge));
+  }
+  return mesh;
+}
+
+[[nodiscard]] std::vector<AxisScene> read_axes(const TomlTable& table, const MeshScene& mesh) {
+  constexpr auto walls = names_of<mpm::AnyWall>();
+  std::vector<std::string_view> kinds{"walls", "periodic"};
+  std::vector<AxisScene> axes;
+  for (const std::string_view axis : axis_names(mesh.dimensions)) {
+    AxisScene scene;
+    scene.is_periodic =
+        table.choice_or("walls", axis, "what ends this axis of the mesh", kinds) == "periodic";
+    if (!scene.is_periodic) {
+      read_named(table, table.choice(fmt::format("{}_low", axis), "wall at the low end", walls), scene.low);
+      read_named(table, table.choice(fmt::format("{}_high", axis), "wall at the high end", walls),
+                 scene.high);
+    }
+    axes.push_back(scene);
+  }
+  return axes;
+}
+
+[[nodiscard]] MaterialScene read_material(const TomlTable& table, const MeshScene& mesh) {
+  MaterialScene material;
+  const auto dimensions = static_cast<std::size_t>(mesh.dimensions);
+  material.low = table.numbers("low", "lowest corner of the material [m]", io::any_value(), dimensions);
+  material.high = table.numbers("high", "highest corner of the material [m]", io::any_value(), dimensions);
+  material.points_per_cell =
+      table.integer_or(3, "points_per_cell", "material points along each axis of a cell", between(1, 16));
+  if (!table.is_sound("low") || !table.is_sound("high")) return material;
+  for (std::size_t d = 0; d < dimensions; ++d) {
+    const std::string_view axis = axis_names(mesh.dimensions)[d];
+    const double slack = 1e-9 * mesh.size[d];
+    table.check(material.low[d] < material.high[d], {"high", "low"},
+                fmt::format("must exceed low, which is {:g} m along {}", material.low[d], axis));
+    table.check(material.low[d] >= -slack, {"low"},
+                fmt::format("reaches out of the mesh, which begins at 0 m along {}", axis));
+    table.check(material.high[d] <= mesh.size[d] + slack, {"high"},
+                fmt::format("reaches out of the mesh, which ends at {:g} m along {}", mesh.size[d], axis));
+  }
+  return material;
+}
+
+[[nodiscard]] GravityScene read_gravity(const TomlTable& table) {
+  GravityScene gravity;
+  gravity.magnitude = table.number_or(9.81, "magnitude", "acceleration of gravity [m/s^2]", at_least(0));
+  gravity.slope_degrees = table.number_or(0, "slope_degrees", "slope of the base [degrees]", between(0, 90));
+  return gravity;
+}
+
+template <class Maker>
+[[nodiscard]] std::optional<grainsize::Distribution> try_distribution(const TomlTable& table,
+                                                                      std::string_view key, Maker&& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    table.add_fault(key, error.what());
+    return std::nullopt;
+  }
+}
+
+[[nodiscard]] std::optional<grainsize::Distribution> read_grains(const TomlTable& table) {
+  constexpr std::array<std::string_view, 4> kinds{"classes", "histogram", "log_normal", "power_law"};
+  const std::string kind = table.choice_or("classes", "distribution", "how the sizes are given", kinds);
+  if (kind == "classes" || kind == "histogram") {
+    const std::string_view key = kind == "classes" ? "diameters" : "edges";
+    const auto sizes = table.numbers(
+        key, kind == "classes" ? "representative diameters [m]" : "edges of the classes [m]", above(0));
+    const auto fractions = table.numbers("fractions", "shares of the solid volume [-]", between(0, 1));
+    if (!table.is_sound(key) || !table.is_sound("fractions")) return std::nullopt;
+    if (kind == "histogram") {
+      return try_distribution(table, "fractions", [&] { return grainsize::histogram(sizes, fractions); });
+    }
+    return try_distribution(table, "fractions", [&] {
+      grainsize::Distribution distribution{grainsize::SizeClasses{sizes}, fractions};
+      constexpr double typed_digits =
+          1e-9;  // [-]: fractions are typed with as many; their sum is then made 1
+      grainsize::require_fractions(distribution.classes, fractions, typed_digits);
+      const double sum = std::accumulate(fractions.begin(), fractions.end(), 0.0);
+      for (double& fraction : distribution.fractions) fraction /= sum;
+      return distribution;
+    });
+  }
+  const double low = table.number("diameter_min", "lower cut of the sizes [m]", above(0));
+  const double high = table.number("diameter_max", "upper cut of the sizes [m]", above(0));
+  const auto num_classes =
+      static_cast<std::size_t>(table.integer("num_classes", "number of classes", between(1, 32)));
+  if (kind == "log_normal") {
+    const double median = table.number("median", "median size by volume [m]", above(0));
+    const double spread = table.number("spread", "standard deviation of ln(size) [-]", above(0));
+    if (std::isnan(low + high + median + spread) || num_classes == 0) return std::nullopt;
+    return try_distribution(table, "diameter_max", [&] {
+      return grainsize::binned(grainsize::LogNormal{median, spread, low, high}, num_classes);
+    });
+  }
+  const double dimension = table.number("fractal_dimension", "of the number of grains by size [-]", above(0));
+  if (std::isnan(low + high + dimension) || num_classes == 0) return std::nullopt;
+  return try_distribution(table, "diameter_max", [&] {
+    return grainsize::binned(grainsize::PowerLaw{dimension, low, high}, num_classes);
+  });
+}
+
+[[nodiscard]] SegregationScene read_segregation(const TomlTable& table) {
+  constexpr std::array<std::string_view, 2> volumes{"cells", "nodes"};
+  constexpr std::array<std::string_view, 2> maps{"exchange", "increments"};
+  SegregationScene scene;
+  read_chosen(table, "closure", "what drives segregation", scene.closure);
+  scene.remixing = table.number_or(0, "remixing", "diffusion of the fractions D [m^2/s]", at_least(0));
+  read_chosen(table, "limiter", "slope limiter", scene.limiter, "minmod");
+  read_chosen(table, "integrator", "time integrator", scene.integrator, "ssp_rk2");
+  scene.cfl = table.number_or(0.5, "cfl", "Courant number of a segregation step [-]",
+                              io::Bounds{0, 0.5, true, false});
+  scene.control_volumes =
+      table.choice_or("cells", "control_volumes", "where fractions are balanced", volumes) == "cells"
+          ? Sites::cells
+          : Sites::nodes;
+  scene.map = table.choice_or("exchange", "map", "how changes come back to the points", maps) == "exchange"
+                  ? mpm::CarriedMap::exchange
+                  : mpm::CarriedMap::increments;
+  scene.every = table.integer_or(100, "every", "momentum steps between segregation steps", between(1, 1e6));
+  return scene;
+}
+
+void read_numerics(const TomlTable& table, Scene& scene) {
+  read_chosen(table, "shape", "shape function of momentum", scene.shape, "linear");
+  read_chosen(table, "transfer", "how velocity travels between points and nodes", scene.transfer, "apic");
+  const io::Bounds share{0, 1, true, false};
+  mpm::TimeStepOptions& options = scene.time_step;
+  options.acoustic =
+      table.number_or(options.acoustic, "acoustic", "share of the acoustic limit of dt [-]", share);
+  options.advective =
+      table.number_or(options.advective, "advective", "share of the advective limit of dt [-]", share);
+  options.viscous =
+      table.number_or(options.viscous, "viscous", "share of the viscous limit of dt [-]", share);
+  options.maximum =
+      table.number_or(0, "maximum_dt", "the user's own limit of dt [s]; 0 is none", at_least(0));
+}
+
+[[nodiscard]] OutputScene read_output(const TomlTable& table, double end, bool has_grains) {
+  OutputScene output;
+  output.every = table.number_or(end, "every", "simulated time between frames [s]", above(0));
+  output.checkpoint_every =
+      table.number_or(end, "checkpoint_every", "simulated time between checkpoints [s]", above(0));
+  output.fields =
+      table.has("fields") ? table.strings("fields", "what each frame holds") : default_fields(has_grains);
+  for (const std::string& field : output.fields) {
+    const auto known = known_fields(has_grains);
+    table.check(std::find(known.begin(), known.end(), field) != known.end(), {"fields"},
+                fmt::format("'{}' is none of {}", field, fmt::join(known, ", ")));
+  }
+  return output;
+}
+
+[[nodiscard]] ReadScene read(io::TomlFile file, const std::vector<std::string>& overrides) {
+  for (const std::string& assignment : overrides) file.set(assignment);
+  const TomlTable root = file.root();
+  Scene scene;
+  scene.title = root.string_or("", "title", "what the scene is");
+  scene.mesh = read_mesh(root.table("mesh"));
+  scene.axes = read_axes(root.table("boundaries"), scene.mesh);
+  scene.material = read_material(root.table("material"), scene.mesh);
+  scene.gravity = read_gravity(root.table_or_empty("gravity"));
+  read_chosen(root.table("rheology"), "law", "constitutive law", scene.law);
+  read_numerics(root.table_or_empty("numerics"), scene);
+  const TomlTable time = root.table("time");
+  scene.end = time.number("end", "simulated time at which the run ends [s]", above(0));
+  if (root.has("grains")) scene.grains = read_grains(root.table("grains"));
+  if (root.has("segregation")) {
+    scene.segregation = read_segregation(root.table("segregation"));
+    if (!root.has("grains")) root.add_fault("segregation", "needs the table [grains]");
+  }
+  scene.output = read_output(root.table_or_empty("output"), scene.end, root.has("grains"));
+  file.finish();
+  return {std::move(scene), file.to_text()};
+}
+
+}  // namespace
+
+ReadScene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  return read(io::TomlFile::read(path), overrides);
+}
+
+ReadScene parse_scene(const std::string& text, const std::string& name,
+                      const std::vector<std::string>& overrides) {
+  return read(io::TomlFile::parse(text, name), overrides);
+}
+
+}  // namespace scree::app

@@ -1,0 +1,133 @@
+#include "scree/restart.hpp"
+
+#include "scree/dimensions.hpp"
+
+#include <scree/io/checkpoint.hpp>
+#include <scree/mpm/cell_sort.hpp>
+
+#include <algorithm>
+
+namespace scree::app {
+
+namespace {
+
+constexpr std::int64_t checkpoint_version = 1;
+
+[[nodiscard]] std::string entry_of(const mpm::Column& column) {
+  return "column_" + column.quantity().name;
+}
+
+/// Blocks as one list of integers: first cell, begin, end of each.
+template <int D>
+[[nodiscard]] std::vector<std::int64_t> flattened(const mpm::ParticleBlocks<D>& blocks) {
+  std::vector<std::int64_t> flat;
+  for (const auto& block : blocks.blocks) {
+    flat.insert(flat.end(), block.first_cell.begin(), block.first_cell.end());
+    flat.push_back(block.begin);
+    flat.push_back(block.end);
+  }
+  return flat;
+}
+
+template <int D>
+[[nodiscard]] mpm::ParticleBlocks<D> unflattened(std::span<const std::int64_t> flat) {
+  mpm::ParticleBlocks<D> blocks;
+  for (std::size_t i = 0; i + D + 2 <= flat.size(); i += D + 2) {
+    mpm::ParticleBlock<D> block;
+    std::copy_n(flat.begin() + static_cast<std::ptrdiff_t>(i), D, block.first_cell.begin());
+    block.begin = flat[i + D];
+    block.end = flat[i + D + 1];
+    blocks.blocks.push_back(block);
+  }
+  return blocks;
+}
+
+/// Calls visit(name, number) for every number of a run that is not a column, the same way for writing and
+/// reading.
+template <class SimulationType, class Visit>
+void for_each_number(SimulationType& simulation, Visit&& visit) {
+  visit("time", simulation.clock.time);
+  visit("step", simulation.clock.step);
+  visit("frame", simulation.clock.frame);
+  visit("unsegregated_time", simulation.clock.unsegregated_time);
+  visit("unsegregated_steps", simulation.clock.unsegregated_steps);
+  visit("wave_speed", simulation.state.rates.wave_speed);
+  visit("kinematic_viscosity", simulation.state.rates.kinematic_viscosity);
+  visit("advection_rate", simulation.state.rates.advection_rate);
+  visit("mass_floor", simulation.state.mass_floor);
+  visit("segregation_steps", simulation.tally.segregation_steps);
+  visit("segregation_substeps", simulation.tally.segregation_substeps);
+  visit("lowest_fraction", simulation.tally.fractions.lowest);
+  visit("highest_fraction", simulation.tally.fractions.highest);
+  visit("fraction_sum_error", simulation.tally.fractions.sum_error);
+  for (std::size_t i = 0; i < mpm::limit_names.size(); ++i) {
+    visit("steps_by_" + std::string{mpm::limit_names[i]}, simulation.tally.steps_by_limit[i]);
+  }
+}
+
+template <int D, int V>
+void require_same_parts(const Simulation<D, V>& simulation, const io::Checkpoint& checkpoint,
+                        const std::filesystem::path& path) {
+  const std::string here = std::to_string(D) + "D with " + std::to_string(V) + " velocity components";
+  const auto dimensions = checkpoint.integer("dimensions");
+  const auto components = checkpoint.integer("velocity_components");
+  require(dimensions == D && components == V,
+          path.string() + ": is of a run in " + std::to_string(dimensions) + "D with " +
+              std::to_string(components) + " velocity components; the scene is in " + here);
+  simulation.state.particles.for_each_column([&](const mpm::Column& column) {
+    require(checkpoint.contains(entry_of(column)),
+            path.string() + ": is of another scene: it has no column '" + column.quantity().name + "'");
+  });
+}
+
+}  // namespace
+
+template <int D, int V>
+void write_checkpoint(const Simulation<D, V>& simulation, const std::filesystem::path& path,
+                      const std::string& scene_text) {
+  io::CheckpointWriter writer{path, checkpoint_version};
+  writer.add_text("scene", scene_text);
+  writer.add("dimensions", std::int64_t{D});
+  writer.add("velocity_components", std::int64_t{V});
+  for_each_number(simulation, [&](const std::string& name, const auto& number) { writer.add(name, number); });
+  writer.add("first_class_masses", std::span<const double>{simulation.tally.first_class_masses});
+  writer.add("blocks", std::span<const std::int64_t>{flattened(simulation.state.blocks)});
+  simulation.state.particles.for_each_column(
+      [&](const mpm::Column& column) { writer.add(entry_of(column), column.values()); });
+  writer.commit();
+}
+
+template <int D, int V>
+void read_checkpoint_into(Simulation<D, V>& simulation, const std::filesystem::path& path) {
+  const io::Checkpoint checkpoint = io::read_checkpoint(path, checkpoint_version);
+  require_same_parts(simulation, checkpoint, path);
+  for_each_number(simulation, [&](const std::string& name, auto& number) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(number)>, double>) {
+      number = checkpoint.number(name);
+    } else {
+      number = checkpoint.integer(name);
+    }
+  });
+  auto& tally = simulation.tally;
+  tally.first_class_masses =
+      checkpoint.doubles("first_class_masses", static_cast<Index>(tally.first_class_masses.size()));
+  auto& state = simulation.state;
+  state.blocks = unflattened<D>(checkpoint.integers("blocks", checkpoint.length("blocks")));
+  state.block_results.assign(state.blocks.blocks.size(), {});
+  mpm::colour_blocks(state.blocks, simulation.grid());
+  state.needs_sort = false;
+  const Index size = checkpoint.length(entry_of(state.particles.mass));
+  state.particles.resize(size);
+  state.particles.for_each_column([&](mpm::Column& column) {
+    const auto values = checkpoint.doubles(entry_of(column), size * column.num_components());
+    std::copy(values.begin(), values.end(), column.values().begin());
+  });
+}
+
+#define SCREE_INSTANCE(D, V)                                                                                 \
+  template void write_checkpoint(const Simulation<D, V>&, const std::filesystem::path&, const std::string&); \
+  template void read_checkpoint_into(Simulation<D, V>&, const std::filesystem::path&);
+SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
+#undef SCREE_INSTANCE
+
+}  // namespace scree::app

@@ -1,0 +1,118 @@
+#include "scree/run.hpp"
+
+#include "scree/frames.hpp"
+#include "scree/interrupt.hpp"
+#include "scree/progress.hpp"
+#include "scree/restart.hpp"
+#include "scree/summary.hpp"
+#include "scree/well_posedness.hpp"
+#include "scree/with_dimensions.hpp"
+
+#include <scree/io/replace_file.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace scree::app {
+
+namespace {
+
+/// One run and what it leaves in its directory.
+template <int D, int V>
+class RunOnDisk {
+ public:
+  RunOnDisk(const ReadScene& scene, const RunOptions& options)
+      : options_{options},
+        scene_text_{scene.text},
+        simulation_{scene.scene, options.threads},
+        frames_{open_frames()},
+        first_step_{simulation_.clock.step},
+        progress_{options.is_quiet, simulation_.clock.time} {
+    io::replace_file(options.directory / "scene.toml", scene.text);
+  }
+
+  Outcome run() {
+    const InterruptGuard guard;
+    Outcome outcome = Outcome::finished;
+    try {
+      if (!options_.restart) store_frame();
+      while (!simulation_.is_finished() && !guard.is_interrupted()) {
+        if (simulation_.step()) store_frame();
+        progress_.update(standing());
+      }
+      if (!simulation_.is_finished()) outcome = Outcome::interrupted;
+      checkpoint();
+    } catch (const RunError& error) {
+      outcome = Outcome::failed;
+      failure_ = error.what();
+    }
+    progress_.finish(standing());
+    finish(outcome);
+    return outcome;
+  }
+
+ private:
+  [[nodiscard]] io::FrameWriter open_frames() {
+    if (!options_.restart) return io::FrameWriter::create(options_.directory);
+    read_checkpoint_into(simulation_, *options_.restart);
+    return io::FrameWriter::resume(options_.directory, simulation_.clock.step);
+  }
+
+  void store_frame() {
+    write_frame(simulation_, frames_);
+    if (simulation_.clock.time >= next_checkpoint_) checkpoint();
+  }
+
+  void checkpoint() {
+    write_checkpoint(simulation_, options_.directory / "checkpoint.h5", scene_text_);
+    const double every = simulation_.scene().output.checkpoint_every;
+    next_checkpoint_ = every * (std::floor(simulation_.clock.time / every) + 1);
+  }
+
+  [[nodiscard]] Standing standing() const {
+    return {simulation_.clock.time, simulation_.scene().end, simulation_.next_step(),
+            static_cast<double>(simulation_.num_points()) *
+                static_cast<double>(simulation_.clock.step - first_step_)};
+  }
+
+  void finish(Outcome outcome) {
+    const std::string word = outcome == Outcome::finished      ? "finished"
+                             : outcome == Outcome::interrupted ? "interrupted"
+                                                               : "failed: " + failure_;
+    if (outcome == Outcome::failed) {
+      fmt::print(stderr,
+                 "scree: the run failed at step {}, t = {:g} s: {}\nscree: frames until then and the last "
+                 "checkpoint are in {}\n",
+                 simulation_.clock.step, simulation_.clock.time, failure_, options_.directory.string());
+    }
+    try {
+      io::replace_file(
+          options_.directory / "summary.json",
+          summary_json(simulation_, progress_.seconds(), simulation_.clock.step - first_step_, word));
+    } catch (const RunError& error) {
+      fmt::print(stderr, "scree: {}\n", error.what());
+    }
+  }
+
+  RunOptions options_;
+  std::string scene_text_;
+  Simulation<D, V> simulation_;
+  io::FrameWriter frames_;
+  std::int64_t first_step_;
+  Progress progress_;
+  double next_checkpoint_ = 0;  // [s]
+  std::string failure_;
+};
+
+}  // namespace
+
+Outcome run_scene(const ReadScene& scene, const RunOptions& options) {
+  const std::string warning = ill_posedness_warning(scene.scene);
+  if (!warning.empty()) fmt::print(stderr, "scree: warning: {}\n", warning);
+  return with_dimensions(scene.scene, [&](auto dimensions, auto components) {
+    return RunOnDisk<dimensions(), components()>{scene, options}.run();
+  });
+}
+
+}  // namespace scree::app

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <scree/grainsize/closures.hpp>
+#include <scree/grainsize/distribution.hpp>
+#include <scree/mpm/boundaries.hpp>
+#include <scree/mpm/carried_cells.hpp>
+#include <scree/mpm/shapes.hpp>
+#include <scree/mpm/time_step.hpp>
+#include <scree/mpm/transfers.hpp>
+#include <scree/rheology/laws.hpp>
+#include <scree/transport/integrators.hpp>
+#include <scree/transport/limiters.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scree::app {
+
+/// A box of cubic cells. One number, the cells along y, sets the resolution of everything.
+struct MeshScene {
+  int dimensions = 2;
+  int velocity_components = 2;
+  std::vector<double> size;  ///< edges [m], one per dimension
+  Index cells = 0;           ///< along y, the normal of the base
+};
+
+/// The two walls of an axis, or none if it is periodic.
+struct AxisScene {
+  bool is_periodic = false;
+  mpm::AnyWall low;
+  mpm::AnyWall high;
+};
+
+/// A box of material at rest.
+struct MaterialScene {
+  std::vector<double> low;    ///< [m]
+  std::vector<double> high;   ///< [m]
+  Index points_per_cell = 3;  ///< along each axis
+};
+
+struct GravityScene {
+  double magnitude = 9.81;   ///< [m/s^2]
+  double slope_degrees = 0;  ///< of the base against the horizontal, down along x
+};
+
+/// How the grains of neighbouring control volumes change places.
+struct SegregationScene {
+  grainsize::AnyClosure closure{grainsize::ShearRate{0}};
+  double remixing = 0;  ///< D [m^2/s]
+  transport::AnyLimiter limiter;
+  transport::AnyIntegrator integrator;
+  double cfl = 0.5;
+  Sites control_volumes = Sites::cells;
+  mpm::CarriedMap map = mpm::CarriedMap::exchange;
+  Index every = 100;  ///< momentum steps between segregation steps
+};
+
+struct OutputScene {
+  double every = 0;             ///< between frames [s]
+  double checkpoint_every = 0;  ///< between checkpoints [s]
+  std::vector<std::string> fields;
+};
+
+/// A run as plain data, checked.
+struct Scene {
+  std::string title;
+  MeshScene mesh;
+  std::vector<AxisScene> axes;
+  MaterialScene material;
+  GravityScene gravity;
+  rheology::AnyLaw law;
+  mpm::AnyShape shape;
+  mpm::AnyTransfer transfer;
+  mpm::TimeStepOptions time_step;
+  double end = 0;  ///< simulated time [s]
+  std::optional<grainsize::Distribution> grains;
+  std::optional<SegregationScene> segregation;
+  OutputScene output;
+};
+
+/// A scene as it was read, with the text that reads as the same one again.
+struct ReadScene {
+  Scene scene;
+  std::string text;
+};
+
+/// Reads a scene file.
+/// @param overrides "table.key=value", each instead of what the file says
+/// @throws InputError with all faults, one on a line: file, line, key, value and what was expected.
+[[nodiscard]] ReadScene read_scene(const std::filesystem::path& path,
+                                   const std::vector<std::string>& overrides);
+
+/// The same of a text; `name` stands for the file in messages.
+[[nodiscard]] ReadScene parse_scene(const std::string& text, const std::string& name,
+                                    const std::vector<std::string>& overrides = {});
+
+}  // namespace scree::app

@@ -1,0 +1,178 @@
+#include "scree/simulation.hpp"
+
+#include "scree/axes.hpp"
+#include "scree/dimensions.hpp"
+
+#include <scree/io/bounds.hpp>
+#include <scree/mpm/geostatic.hpp>
+#include <scree/mpm/seed.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+namespace scree::app {
+
+namespace {
+
+template <int D>
+[[nodiscard]] CartesianGrid<D> make_grid(const Scene& scene) {
+  const MeshScene& mesh = scene.mesh;
+  const double edge =
+      mesh.size[static_cast<std::size_t>(normal_component(D))] / static_cast<double>(mesh.cells);
+  Vector<D> spacing;
+  Indices<D> cells{};
+  std::array<bool, D> is_periodic{};
+  for (std::size_t d = 0; d < D; ++d) {
+    cells[d] = std::lround(mesh.size[d] / edge);
+    spacing[static_cast<int>(d)] = mesh.size[d] / static_cast<double>(cells[d]);
+    is_periodic[d] = scene.axes[d].is_periodic;
+  }
+  return {Vector<D>::Zero(), spacing, cells, is_periodic};
+}
+
+/// Gravity by velocity component [m/s^2]: down the slope along the flow, into the base along its normal.
+template <int V>
+[[nodiscard]] std::array<double, V> gravity_of(const GravityScene& gravity, int dimensions) {
+  const double slope = gravity.slope_degrees * std::numbers::pi / 180;
+  std::array<double, V> result{};
+  result[static_cast<std::size_t>(normal_component(dimensions))] = -gravity.magnitude * std::cos(slope);
+  const int along = flow_component(dimensions, V);
+  if (along >= 0) result[static_cast<std::size_t>(along)] = gravity.magnitude * std::sin(slope);
+  return result;
+}
+
+template <int D, int V>
+[[nodiscard]] mpm::Particles<D, V> make_particles(const Scene& scene, const CartesianGrid<D>& grid) {
+  const Vector<D> low = Eigen::Map<const Vector<D>>{scene.material.low.data()};
+  const Vector<D> high = Eigen::Map<const Vector<D>>{scene.material.high.data()};
+  Indices<D> per_cell{};
+  per_cell.fill(scene.material.points_per_cell);
+  const double density = std::visit([](const auto& law) { return law.density; }, scene.law);
+  auto particles = mpm::seed_box<D, V>(grid, low, high, per_cell, density);
+  if (scene.grains) add_grains(particles, *scene.grains);
+  return particles;
+}
+
+template <int D, int V>
+[[nodiscard]] mpm::Stages<D, V> make_stages(const Scene& scene, mpm::Particles<D, V>& particles) {
+  mpm::Stages<D, V> stages;
+  stages.stress = std::visit(
+      [&](const auto& law) -> std::unique_ptr<mpm::StressUpdate<D, V>> {
+        return std::make_unique<mpm::StressUpdateBy<D, V, std::decay_t<decltype(law)>>>(law, particles);
+      },
+      scene.law);
+  stages.transfer = mpm::make_transfer<D, V>(scene.shape, scene.transfer);
+  for (int axis = 0; axis < D; ++axis) {
+    const AxisScene& ends = scene.axes[static_cast<std::size_t>(axis)];
+    if (ends.is_periodic) continue;
+    stages.boundaries.push_back(mpm::make_wall<D>(ends.low, axis, mpm::Side::low));
+    stages.boundaries.push_back(mpm::make_wall<D>(ends.high, axis, mpm::Side::high));
+  }
+  stages.gravity = gravity_of<V>(scene.gravity, D);
+  return stages;
+}
+
+/// Points, at rest under their own weight, and the parts of the step that reads their columns.
+template <int D, int V>
+[[nodiscard]] mpm::State<D, V> make_state(const Scene& scene, mpm::Stages<D, V>& stages, Threads threads) {
+  const CartesianGrid<D> grid = make_grid<D>(scene);
+  auto particles = make_particles<D, V>(scene, grid);
+  stages = make_stages(scene, particles);
+  const int normal = normal_component(D);
+  mpm::set_geostatic(particles, *stages.stress, normal, scene.material.high[static_cast<std::size_t>(normal)],
+                     -stages.gravity[static_cast<std::size_t>(normal)]);
+  return mpm::start(std::move(particles), grid, stages, threads);
+}
+
+/// More threads than this many points can feed only wait for each other.
+[[nodiscard]] Threads useful(Threads threads, Index num_points) {
+  constexpr Index points_per_thread = 4000;
+  return {static_cast<int>(std::min<Index>(threads.count, 1 + num_points / points_per_thread))};
+}
+
+}  // namespace
+
+template <int D, int V>
+Simulation<D, V>::Simulation(const Scene& scene, Threads threads)
+    : scene_{scene}, threads_{threads}, state{make_state<D, V>(scene_, stages_, threads)} {
+  threads_ = useful(threads, state.particles.size());
+  if (!scene_.grains) return;
+  if (scene_.segregation) {
+    Vector<D> direction = Eigen::Map<const Vector<D>>{stages_.gravity.data()};
+    if (direction.norm() > 0) direction.normalize();
+    coupling_.emplace(*scene_.segregation, scene_.grains->classes, grid(), scene_.shape, direction, threads_);
+  }
+  observe_fractions(state.particles, tally.fractions);
+  tally.first_class_masses = class_masses(state.particles);
+}
+
+template <int D, int V>
+Index Simulation<D, V>::num_points() const noexcept {
+  const auto masses = state.particles.mass.values();
+  return static_cast<Index>(std::count_if(masses.begin(), masses.end(), [](double m) { return m > 0; }));
+}
+
+template <int D, int V>
+bool Simulation<D, V>::is_finished() const noexcept {
+  return clock.time >= scene_.end;
+}
+
+template <int D, int V>
+double Simulation<D, V>::next_frame_time() const noexcept {
+  return std::min(static_cast<double>(clock.frame) * scene_.output.every, scene_.end);
+}
+
+template <int D, int V>
+mpm::TimeStep Simulation<D, V>::next_step() const {
+  return mpm::stable_time_step(grid(), state.rates, scene_.time_step);
+}
+
+template <int D, int V>
+void Simulation<D, V>::require_progress(const mpm::TimeStep& next) {
+  constexpr double smallest_share = 1e-4;  // [-], of the first step: a flow that still obeys its limits has
+                                           // not sped up by so much
+  if (first_dt_ == 0) first_dt_ = next.dt;
+  if (next.dt >= smallest_share * first_dt_) return;
+  throw RunError{"the stable step has fallen from " + io::to_text(first_dt_) + " to " + io::to_text(next.dt) +
+                 " s, bound by the " + std::string{mpm::limit_names[static_cast<std::size_t>(next.limit)]} +
+                 " limit: the run has become unstable; use a smaller share of the limits ([numerics])"};
+}
+
+template <int D, int V>
+bool Simulation<D, V>::step() {
+  mpm::TimeStep next = next_step();
+  require_progress(next);
+  const double left = next_frame_time() - clock.time;
+  const bool reaches_frame = left <= next.dt;
+  if (reaches_frame) next = {left, mpm::Limit::output};
+  mpm::step(state, stages_, next.dt, threads_);
+  clock.time = reaches_frame ? next_frame_time() : clock.time + next.dt;
+  ++clock.step;
+  if (reaches_frame) ++clock.frame;
+  clock.unsegregated_time += next.dt;
+  ++clock.unsegregated_steps;
+  ++tally.steps_by_limit[static_cast<std::size_t>(next.limit)];
+  if (coupling_ && (reaches_frame || clock.unsegregated_steps >= scene_.segregation->every)) segregate();
+  return reaches_frame;
+}
+
+template <int D, int V>
+void Simulation<D, V>::segregate() {
+  const auto start = std::chrono::steady_clock::now();
+  const auto report = coupling_->advance(state, clock.unsegregated_time);
+  observe_fractions(state.particles, tally.fractions);
+  clock.unsegregated_time = 0;
+  clock.unsegregated_steps = 0;
+  ++tally.segregation_steps;
+  tally.segregation_substeps += report.substeps;
+  tally.segregation_seconds +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+#define SCREE_INSTANCE(D, V) template class Simulation<D, V>;
+SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
+#undef SCREE_INSTANCE
+
+}  // namespace scree::app

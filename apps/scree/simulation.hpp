@@ -1,0 +1,76 @@
+#pragma once
+
+#include "scree/coupling.hpp"
+#include "scree/scene.hpp"
+
+#include <scree/mpm/step.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace scree::app {
+
+/// Where a run stands in time.
+struct Clock {
+  double time = 0;  ///< [s]
+  std::int64_t step = 0;
+  std::int64_t frame = 1;        ///< the next one that is due, at frame * output.every; number 0 is the start
+  double unsegregated_time = 0;  ///< since the last segregation step [s]
+  std::int64_t unsegregated_steps = 0;
+};
+
+/// What a run counts for its summary.
+struct Tally {
+  std::array<std::int64_t, mpm::limit_names.size()> steps_by_limit{};
+  std::int64_t segregation_steps = 0;
+  std::int64_t segregation_substeps = 0;
+  double segregation_seconds = 0;  ///< wall clock
+  FractionExtremes fractions;
+  std::vector<double> first_class_masses;  ///< [kg]
+};
+
+/// A scene brought to life: material points, their mesh, the parts of a step. One simulation knows nothing of
+/// files; run.hpp writes what it does.
+template <int D, int V>
+class Simulation {
+ public:
+  /// @throws InputError if parts of the scene do not fit each other.
+  Simulation(const Scene& scene, Threads threads);
+
+  /// Advances by one step: the stable one, or what is left until the next frame.
+  /// @returns whether a frame is due now.
+  /// @throws RunError naming a material point gone wrong, or if the stable step collapses.
+  bool step();
+
+  [[nodiscard]] bool is_finished() const noexcept;
+  /// When the next frame is due [s].
+  [[nodiscard]] double next_frame_time() const noexcept;
+  /// The stable step as things are, and what bounds it.
+  [[nodiscard]] mpm::TimeStep next_step() const;
+
+  [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
+  [[nodiscard]] const mpm::Stages<D, V>& stages() const noexcept { return stages_; }
+  [[nodiscard]] const CartesianGrid<D>& grid() const noexcept { return state.nodes.grid(); }
+  /// Material points that weigh something.
+  [[nodiscard]] Index num_points() const noexcept;
+
+ private:
+  const Scene scene_;
+  Threads threads_;
+  mpm::Stages<D, V> stages_;
+  std::optional<Coupling<D, V>> coupling_;
+
+  double first_dt_ = 0;  // the first stable step [s]
+
+  void segregate();
+  void require_progress(const mpm::TimeStep& next);
+
+ public:
+  mpm::State<D, V> state;
+  Clock clock;
+  Tally tally;
+};
+
+}  // namespace scree::app

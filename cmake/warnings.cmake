@@ -1,0 +1,7 @@
+# Warnings are ours to keep, never a user's to inherit: they are PRIVATE.
+function(scree_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+  if(PROJECT_IS_TOP_LEVEL)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()

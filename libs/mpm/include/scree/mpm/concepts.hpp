@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string_view>
+
+namespace scree::mpm {
+
+/// A shape function along one axis, in units of the spacing. A stencil begins at node floor(x - shift);
+/// xi is the distance of the point from that node. In several dimensions shapes are multiplied.
+///
+/// - weights(xi): N_i, sum 1
+/// - gradients(xi): dN_i/dxi, sum 0
+/// - affine(xi): N_i (i - xi) / second_moment(xi): what takes nodal velocities to the affine part
+/// - second_moment(xi): sum N_i (i - xi)^2
+template <class S>
+concept Shape = requires(double xi) {
+  { S::name } -> std::convertible_to<std::string_view>;
+  { S::summary } -> std::convertible_to<std::string_view>;
+  { S::support } -> std::convertible_to<std::size_t>;
+  { S::shift } -> std::convertible_to<double>;
+  { S::weights(xi) }
+  noexcept->std::same_as<std::array<double, S::support>>;
+  { S::gradients(xi) }
+  noexcept->std::same_as<std::array<double, S::support>>;
+  { S::affine(xi) }
+  noexcept->std::same_as<std::array<double, S::support>>;
+  { S::second_moment(xi) }
+  noexcept->std::same_as<double>;
+};
+
+/// How velocity travels between points and nodes. `has_affine`: points pass on their velocity gradient too.
+/// `increment_share`: how much of a point's new velocity is its old one plus the nodes' increment, the rest
+/// being the nodes' velocity; `has_increment` says that it can differ from zero.
+template <class T>
+concept TransferRule = requires(const T rule) {
+  { T::name } -> std::convertible_to<std::string_view>;
+  { T::summary } -> std::convertible_to<std::string_view>;
+  { T::has_affine } -> std::convertible_to<bool>;
+  { T::has_increment } -> std::convertible_to<bool>;
+  { rule.increment_share() }
+  noexcept->std::same_as<double>;
+};
+
+}  // namespace scree::mpm

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <scree/mpm/stress_update.hpp>
+
+namespace scree::mpm {
+
+/// Sets density and mass of all points so that pressure balances gravity under a free surface:
+/// dp/dz = rho(p) g from p = 0 at the surface down. Each point keeps its volume.  Eq. (M24)
+/// @param axis the one that gravity presses along
+/// @param surface height of the free surface along it [m]; points above it keep their density
+/// @param gravity acceleration against the axis [m/s^2], not negative
+/// @throws RunError if the law cannot bear the pressure.
+template <int D, int V>
+void set_geostatic(Particles<D, V>& particles, const StressUpdate<D, V>& stress, int axis, double surface,
+                   double gravity);
+
+}  // namespace scree::mpm

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <scree/blocks.hpp>
+#include <scree/lattice.hpp>
+
+#include <vector>
+
+namespace scree::mpm {
+
+/// Edge of a block of cells along each axis [cells]: its nodes, with their halo, stay in the first cache.
+/// Must exceed the widest stencil (3 nodes), so that blocks of one colour share no node.
+template <int D>
+inline constexpr Index block_edge = D == 1   ? 32
+                                    : D == 2 ? 8
+                                             : 4;
+
+/// Points of one block fill whole packs of this many.
+inline constexpr Index pack_size = 8;
+
+/// A run of consecutive points whose stencils, when they were sorted, began in one block of cells. A point
+/// may since have moved by up to one cell beyond the block; then all are sorted anew.
+template <int D>
+struct ParticleBlock {
+  Indices<D> first_cell{};  ///< lowest stencil base of the block
+  Index begin = 0;          ///< first point
+  Index end = 0;            ///< one past the last point
+};
+
+/// The occupied blocks, and their colours: blocks of one colour touch no common node, so threads may take
+/// them at the same time; colours are worked through in order, so sums have the same bits for any number of
+/// threads.
+template <int D>
+struct ParticleBlocks {
+  std::vector<ParticleBlock<D>> blocks;
+  std::vector<std::vector<Index>> colours;
+
+  /// Calls body(block index) for every block, colour after colour.
+  template <class Body>
+  void for_each_coloured(Threads threads, Body&& body) const {
+    for (const auto& colour : colours) {
+      for_each_block(static_cast<Index>(colour.size()), threads,
+                     [&](Index i) { body(colour[static_cast<std::size_t>(i)]); });
+    }
+  }
+
+  /// Calls body(block index) for every block, in any order.
+  template <class Body>
+  void for_each(Threads threads, Body&& body) const {
+    for_each_block(static_cast<Index>(blocks.size()), threads, body);
+  }
+};
+
+}  // namespace scree::mpm

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <scree/mpm/boundaries.hpp>
+#include <scree/mpm/stress_update.hpp>
+#include <scree/mpm/time_step.hpp>
+#include <scree/mpm/transfer.hpp>
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace scree::mpm {
+
+/// What a step is made of, chosen when a run is assembled.
+template <int D, int V>
+struct Stages {
+  std::unique_ptr<StressUpdate<D, V>> stress;
+  std::unique_ptr<Transfer<D, V>> transfer;
+  std::vector<std::unique_ptr<Boundary<D>>> boundaries;
+  std::array<double, V> gravity{};  ///< [m/s^2]
+  /// A node lighter than this share of the heaviest point takes no part: its acceleration would be a small
+  /// force over next to no mass.  [-], Eq. (M20)
+  double mass_floor = 1e-10;
+};
+
+/// Wall-clock time spent in each phase of the steps so far [s].
+struct PhaseSeconds {
+  double scatter = 0;  ///< stress and points to nodes
+  double nodes = 0;    ///< momentum and walls
+  double gather = 0;   ///< nodes to points
+  double sort = 0;
+};
+
+/// What one block reports of a step.
+struct BlockResult {
+  BlockStiffness stiffness;
+  BlockMotion motion;
+};
+
+/// Everything that changes in a step.
+template <int D, int V>
+struct State {
+  State(Particles<D, V> points, Nodes<D> empty_nodes)
+      : particles{std::move(points)}, nodes{std::move(empty_nodes)} {}
+
+  Particles<D, V> particles;
+  Nodes<D> nodes;
+  ParticleBlocks<D> blocks;
+  std::vector<BlockResult> block_results;  ///< one per block
+  Rates rates;                             ///< of the last step; what the next one is bounded by
+  bool needs_sort = true;                  ///< a point has left the reach of its block
+  double mass_floor = 0;                   ///< [kg]
+  PhaseSeconds seconds;
+};
+
+/// Sorts new points, and finds what bounds the first step.
+/// @throws RunError naming a point outside the mesh.
+template <int D, int V>
+[[nodiscard]] State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid,
+                                const Stages<D, V>& stages, Threads threads);
+
+/// Advances all points by dt: stress first, with the velocity gradient of the last step, then momentum, then
+/// positions.  @see Eqs. (M1)-(M13), the algorithm of docs/equations/mpm.md
+/// @throws RunError naming a point that has left the mesh or has no finite position.
+template <int D, int V>
+void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads);
+
+/// v = momentum / mass + dt (force / mass + gravity) at every node heavier than `mass_floor` [kg], zero at
+/// the others; increments alike where the record has them.  Eq. (M11)
+template <int D>
+void advance_momentum(Nodes<D>& nodes, const double* gravity, double dt, double mass_floor, Threads threads);
+
+}  // namespace scree::mpm

@@ -1,0 +1,180 @@
+#pragma once
+
+#include <scree/constitutive_law.hpp>
+#include <scree/mpm/particle_blocks.hpp>
+#include <scree/mpm/particles.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace scree::mpm {
+
+/// The largest speed and viscosity met in a block: what bounds the next step.
+struct BlockStiffness {
+  double wave_speed = 0;           ///< [m/s]
+  double kinematic_viscosity = 0;  ///< viscosity over density [m^2/s]
+};
+
+/// Brings the stress of a block's points up to date with their motion; the law is chosen once, in here.
+template <int D, int V>
+class StressUpdate {
+ public:
+  StressUpdate() = default;
+  StressUpdate(const StressUpdate&) = delete;
+  StressUpdate& operator=(const StressUpdate&) = delete;
+  virtual ~StressUpdate() = default;
+
+  /// Writes the stress column of the block, and the law's state.
+  virtual BlockStiffness apply(Particles<D, V>& particles, const ParticleBlock<D>& block,
+                               double dt) const noexcept = 0;
+
+  /// Pressure of every point, for output: -tr(sigma)/3 of the whole 3x3 stress; changes nothing.
+  /// @param pressure one per point [Pa]
+  virtual void pressure(const Particles<D, V>& particles, std::span<double> pressure) const noexcept = 0;
+
+  /// Density at which a point at rest has the given pressure, for initial states [kg/m^3].
+  /// @param wanted pressure [Pa], not negative
+  /// @throws RunError naming the law if it has no such density.
+  [[nodiscard]] virtual double density_at(const Particles<D, V>& particles, Index p, double wanted) const = 0;
+
+  /// What the points as they are would bound a step by; changes nothing.
+  [[nodiscard]] virtual BlockStiffness stiffness(const Particles<D, V>& particles) const noexcept = 0;
+};
+
+/// The velocity gradient of a point as a 3x3 tensor, its missing components zero.
+template <int D, int V>
+[[nodiscard]] Tensor<double> velocity_gradient_of(const Particles<D, V>& particles, Index p) noexcept {
+  Tensor<double> gradient;
+  for (int j = 0; j < D; ++j) {
+    for (int i = 0; i < V; ++i) {
+      gradient(static_cast<std::size_t>(i), static_cast<std::size_t>(j)) =
+          particles.velocity_gradient.component(i + V * j)[p];
+    }
+  }
+  return gradient;
+}
+
+/// The stress update by one constitutive law. Its inputs are columns found by name when it is built (an
+/// absent one is an InputError), its state becomes columns of their own.
+template <int D, int V, ConstitutiveLaw Law>
+class StressUpdateBy final : public StressUpdate<D, V> {
+ public:
+  StressUpdateBy(const Law& law, Particles<D, V>& particles) : law_{law} {
+    for (std::size_t i = 0; i < num_inputs; ++i) {
+      inputs_[i] = particles.find_column(Law::input_names[i], "the law '" + std::string{Law::name} + "'");
+    }
+    for (std::size_t i = 0; i < num_states; ++i) {
+      states_[i] =
+          particles.add_column({std::string{Law::state_names[i]}, std::string{Law::state_names[i]}, "-"}, 1);
+    }
+  }
+
+  BlockStiffness apply(Particles<D, V>& particles, const ParticleBlock<D>& block,
+                       double dt) const noexcept override {
+    BlockStiffness worst;
+    for (Index p = block.begin; p < block.end; ++p) {
+      const Deformation<double> deformation = deformation_of(particles, p);
+      const Input input = load<Input>(particles, inputs_, p);
+      const auto response = law_.update(deformation, input, load<State>(particles, states_, p), dt);
+      for (int j = 0; j < D; ++j) {
+        for (int i = 0; i < V; ++i) {
+          particles.stress.component(i + V * j)[p] =
+              response.stress(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+        }
+      }
+      store(particles, response.state, p);
+      widen(worst, deformation, input);
+    }
+    return worst;
+  }
+
+  void pressure(const Particles<D, V>& particles, std::span<double> pressure) const noexcept override {
+    for (Index p = 0; p < particles.size(); ++p) {
+      const auto response = law_.update(deformation_of(particles, p), load<Input>(particles, inputs_, p),
+                                        load<State>(particles, states_, p), 0.0);
+      pressure[static_cast<std::size_t>(p)] = -trace(response.stress) / 3;
+    }
+  }
+
+  /// By the secant rule; a linear equation of state takes one step.
+  [[nodiscard]] double density_at(const Particles<D, V>& particles, Index p, double wanted) const override {
+    constexpr int max_iterations = 50;
+    const double start = particles.density.component(0)[p];
+    const double tolerance = 4 * round_off * start;
+    const Input input = load<Input>(particles, inputs_, p);
+    const auto excess = [&](double density) {
+      const auto response =
+          law_.update({Tensor<double>{}, density}, input, load<State>(particles, states_, p), 0.0);
+      return -trace(response.stress) / 3 - wanted;
+    };
+    double previous = start;
+    double density = start * (1 + 1e-3);  // compressed, so that no law has let go
+    for (int i = 0; i < max_iterations; ++i) {
+      const double at_previous = excess(previous);
+      const double at_density = excess(density);
+      if (at_density == 0 || std::abs(density - previous) <= tolerance) return density;
+      const double next = density - at_density * (density - previous) / (at_density - at_previous);
+      if (!std::isfinite(next)) break;
+      previous = std::exchange(density, next);
+    }
+    throw RunError{"the law '" + std::string{Law::name} + "' has no density at which its pressure is " +
+                   std::to_string(wanted) + " Pa"};
+  }
+
+  [[nodiscard]] BlockStiffness stiffness(const Particles<D, V>& particles) const noexcept override {
+    BlockStiffness worst;
+    for (Index p = 0; p < particles.size(); ++p) {
+      widen(worst, deformation_of(particles, p), load<Input>(particles, inputs_, p));
+    }
+    return worst;
+  }
+
+ private:
+  using Input = typename Law::template Input<double>;
+  using State = typename Law::template State<double>;
+  static constexpr std::size_t num_inputs = Law::input_names.size();
+  static constexpr std::size_t num_states = Law::state_names.size();
+
+  [[nodiscard]] static Deformation<double> deformation_of(const Particles<D, V>& particles,
+                                                          Index p) noexcept {
+    return {velocity_gradient_of(particles, p), particles.density.component(0)[p]};
+  }
+
+  /// An aggregate of doubles, each from its column.
+  template <class Aggregate, std::size_t N>
+  [[nodiscard]] static Aggregate load(const Particles<D, V>& particles,
+                                      const std::array<std::size_t, N>& columns, Index p) noexcept {
+    if constexpr (N == 0) {
+      return Aggregate{};
+    } else {
+      std::array<double, N> values;
+      for (std::size_t i = 0; i < N; ++i) values[i] = particles.column(columns[i]).component(0)[p];
+      return std::bit_cast<Aggregate>(values);
+    }
+  }
+
+  void store(Particles<D, V>& particles, const State& state, Index p) const noexcept {
+    if constexpr (num_states > 0) {
+      const auto values = std::bit_cast<std::array<double, num_states>>(state);
+      for (std::size_t i = 0; i < num_states; ++i) particles.column(states_[i]).component(0)[p] = values[i];
+    }
+  }
+
+  void widen(BlockStiffness& worst, const Deformation<double>& deformation,
+             const Input& input) const noexcept {
+    const Stiffness here = law_.stiffness(deformation, input);
+    worst.wave_speed = std::max(worst.wave_speed, here.wave_speed);
+    worst.kinematic_viscosity = std::max(worst.kinematic_viscosity, here.viscosity / deformation.density);
+  }
+
+  Law law_;
+  std::array<std::size_t, num_inputs> inputs_{};
+  std::array<std::size_t, num_states> states_{};
+};
+
+}  // namespace scree::mpm

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <scree/mpm/nodes.hpp>
+#include <scree/mpm/particle_blocks.hpp>
+#include <scree/mpm/particles.hpp>
+#include <scree/mpm/shapes.hpp>
+#include <scree/mpm/transfers.hpp>
+
+#include <memory>
+
+namespace scree::mpm {
+
+/// What a block tells after its points have moved.
+struct BlockMotion {
+  double advection_rate = 0;  ///< largest sum over axes of |v_d| / spacing_d [1/s]
+  bool needs_sort = false;    ///< a point has left the reach of its block, or its position is not finite
+};
+
+/// Points to nodes and back, for one shape and one transfer rule; chosen once, called once per block.
+template <int D, int V>
+class Transfer {
+ public:
+  Transfer() = default;
+  Transfer(const Transfer&) = delete;
+  Transfer& operator=(const Transfer&) = delete;
+  virtual ~Transfer() = default;
+
+  [[nodiscard]] virtual NodeRecord record() const noexcept = 0;
+  [[nodiscard]] virtual double stencil_shift() const noexcept = 0;
+
+  /// Adds mass, momentum and internal force of a block's points to the nodes.  Eqs. (M1), (M8), (M9), (M10)
+  virtual void scatter(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
+                       double dt) const noexcept = 0;
+
+  /// Takes velocities back to the points, moves them by dt, updates their density.  Eqs. (M11)-(M13)
+  [[nodiscard]] virtual BlockMotion gather(Particles<D, V>& particles, const ParticleBlock<D>& block,
+                                           const Nodes<D>& nodes, double dt) const noexcept = 0;
+};
+
+template <int D, int V>
+[[nodiscard]] std::unique_ptr<Transfer<D, V>> make_transfer(const AnyShape& shape, const AnyTransfer& rule);
+
+}  // namespace scree::mpm

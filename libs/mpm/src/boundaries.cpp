@@ -1,0 +1,85 @@
+#include <scree/mpm/boundaries.hpp>
+
+namespace scree::mpm {
+
+namespace {
+
+template <int D, class Rule>
+class MirrorWall final : public Boundary<D> {
+ public:
+  MirrorWall(int axis, Side side) : axis_{static_cast<std::size_t>(axis)}, side_{side} {}
+
+  void fold(Nodes<D>& nodes) const noexcept override {
+    const NodeRecord layout = nodes.record();
+    for_each_triple(nodes, [&](double* image, double* /*wall*/, double* inside) {
+      inside[NodeRecord::mass] += image[NodeRecord::mass];
+      for_each_component(layout, [&](int place, double parity) { inside[place] += parity * image[place]; });
+    });
+  }
+
+  void hold(Nodes<D>& nodes) const noexcept override {
+    const NodeRecord layout = nodes.record();
+    for_each_triple(nodes, [&](double* /*image*/, double* wall, double* /*inside*/) {
+      for (int i = 0; i < layout.num_velocities; ++i) {
+        if (!Rule::holds(i, static_cast<int>(axis_))) continue;
+        if (layout.has_increment) wall[layout.increment() + i] -= wall[NodeRecord::momentum + i];
+        wall[NodeRecord::momentum + i] = 0;
+      }
+    });
+  }
+
+  void reflect(Nodes<D>& nodes) const noexcept override {
+    const NodeRecord layout = nodes.record();
+    for_each_triple(nodes, [&](double* image, double* /*wall*/, double* inside) {
+      for_each_component(layout, [&](int place, double parity) { image[place] = parity * inside[place]; });
+    });
+  }
+
+ private:
+  /// Calls body(place in the record, -1 or +1) for every component of velocity and of its increment.
+  template <class Body>
+  void for_each_component(const NodeRecord& layout, Body&& body) const noexcept {
+    for (int i = 0; i < layout.num_velocities; ++i) {
+      const double parity = Rule::holds(i, static_cast<int>(axis_)) ? -1 : 1;
+      body(NodeRecord::momentum + i, parity);
+      if (layout.has_increment) body(layout.increment() + i, parity);
+    }
+  }
+
+  /// Calls body(image, wall, inside) for the three nodes of every line of nodes through the wall.
+  template <class Body>
+  void for_each_triple(Nodes<D>& nodes, Body&& body) const noexcept {
+    const Index last = nodes.count(axis_) - 1;
+    const Index outermost = side_ == Side::low ? 0 : last;
+    const Index inward = (side_ == Side::low ? 1 : -1) * nodes.stride(axis_);
+    const Index num_lines = nodes.num_nodes() / nodes.count(axis_);
+    for (Index line = 0; line < num_lines; ++line) {
+      const Index below = line % nodes.stride(axis_);
+      const Index above = line / nodes.stride(axis_);
+      const Index image =
+          below + above * nodes.stride(axis_) * nodes.count(axis_) + outermost * nodes.stride(axis_);
+      body(nodes[image], nodes[image + inward], nodes[image + 2 * inward]);
+    }
+  }
+
+  std::size_t axis_;
+  Side side_;
+};
+
+}  // namespace
+
+template <int D>
+std::unique_ptr<Boundary<D>> make_wall(const AnyWall& rule, int axis, Side side) {
+  require(0 <= axis && axis < D, "make_wall: no such axis");
+  return std::visit(
+      [&](auto chosen) -> std::unique_ptr<Boundary<D>> {
+        return std::make_unique<MirrorWall<D, decltype(chosen)>>(axis, side);
+      },
+      rule);
+}
+
+template std::unique_ptr<Boundary<1>> make_wall<1>(const AnyWall&, int, Side);
+template std::unique_ptr<Boundary<2>> make_wall<2>(const AnyWall&, int, Side);
+template std::unique_ptr<Boundary<3>> make_wall<3>(const AnyWall&, int, Side);
+
+}  // namespace scree::mpm

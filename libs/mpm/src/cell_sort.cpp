@@ -1,0 +1,184 @@
+#include "instances.hpp"
+
+#include <scree/mpm/cell_sort.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace scree::mpm {
+
+namespace {
+
+/// Blocks along each axis, and a numbering of (block, cell in block). A stencil may begin one cell before
+/// the mesh: block 0 starts there.
+template <int D>
+struct Numbering {
+  Indices<D> num_blocks{};
+  Index cells_per_block = 1;
+
+  explicit Numbering(const CartesianGrid<D>& grid) {
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      num_blocks[axis] = (grid.num_cells()[axis] + 1 + block_edge<D> - 1) / block_edge<D>;
+      cells_per_block *= block_edge<D>;
+    }
+  }
+  [[nodiscard]] Index num_keys() const {
+    Index product = cells_per_block;
+    for (const Index n : num_blocks) product *= n;
+    return product;
+  }
+  [[nodiscard]] Index key(const Indices<D>& base) const {
+    Index block = 0;
+    Index cell = 0;
+    for (std::size_t axis = D; axis-- > 0;) {
+      const Index shifted = base[axis] + 1;
+      block = block * num_blocks[axis] + shifted / block_edge<D>;
+      cell = cell * block_edge<D> + shifted % block_edge<D>;
+    }
+    return block * cells_per_block + cell;
+  }
+  [[nodiscard]] Indices<D> first_cell(Index block) const {
+    Indices<D> cell{};
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      cell[axis] = (block % num_blocks[axis]) * block_edge<D> - 1;
+      block /= num_blocks[axis];
+    }
+    return cell;
+  }
+};
+
+template <int D, int V>
+[[noreturn]] void throw_outside(const Particles<D, V>& particles, const CartesianGrid<D>& grid, Index p) {
+  std::string at;
+  std::string box;
+  for (int axis = 0; axis < D; ++axis) {
+    char text[96];
+    std::snprintf(text, sizeof text, "%s%.6g", axis ? ", " : "", particles.position.component(axis)[p]);
+    at += text;
+    std::snprintf(text, sizeof text, "%s[%.6g, %.6g]", axis ? " x " : "", grid.origin()[axis],
+                  grid.origin()[axis] + grid.length(axis));
+    box += text;
+  }
+  char number[32];
+  std::snprintf(number, sizeof number, "%.0f", particles.id.component(0)[p]);
+  const bool is_finite = at.find("nan") == std::string::npos && at.find("inf") == std::string::npos;
+  throw RunError{"material point " + std::string{number} + " at (" + at + ") m " +
+                 (is_finite ? "is outside the mesh " + box + " m" : "has no finite position")};
+}
+
+/// Moves x by whole periods into the axis, or leaves it where it is if the axis has ends.
+template <int D>
+[[nodiscard]] double into_period(double x, const CartesianGrid<D>& grid, int axis) {
+  if (!grid.is_periodic()[static_cast<std::size_t>(axis)]) return x;
+  const double length = grid.length(axis);
+  const double inside = x - length * std::floor((x - grid.origin()[axis]) / length);
+  return inside < grid.origin()[axis] + length ? inside : grid.origin()[axis];
+}
+
+template <int D, int V>
+[[nodiscard]] std::vector<Index> keys_of(Particles<D, V>& particles, const CartesianGrid<D>& grid,
+                                         double stencil_shift, const Numbering<D>& numbering) {
+  std::vector<Index> keys(static_cast<std::size_t>(particles.size()), -1);
+  const double* mass = particles.mass.component(0);
+  for (Index p = 0; p < particles.size(); ++p) {
+    if (!(mass[p] > 0)) continue;
+    Indices<D> base{};
+    for (int axis = 0; axis < D; ++axis) {
+      double& x = particles.position.component(axis)[p];
+      x = into_period(x, grid, axis);
+      const double cell = (x - grid.origin()[axis]) / grid.spacing()[axis];
+      const auto end = static_cast<double>(grid.num_cells()[static_cast<std::size_t>(axis)]);
+      if (!(0 <= cell && cell <= end)) throw_outside(particles, grid, p);
+      base[static_cast<std::size_t>(axis)] =
+          std::min(static_cast<Index>(std::floor(cell - stencil_shift)), static_cast<Index>(end) - 1);
+    }
+    keys[static_cast<std::size_t>(p)] = numbering.key(base);
+  }
+  return keys;
+}
+
+/// Blocks with their padded ranges, and for each new place the point that goes there.
+template <int D>
+struct Order {
+  ParticleBlocks<D> blocks;
+  std::vector<Index> source;
+  std::vector<Index> padding;  ///< places that hold points of mass zero
+};
+
+template <int D>
+[[nodiscard]] Order<D> order_by(const std::vector<Index>& keys, const Numbering<D>& numbering) {
+  std::vector<Index> next(static_cast<std::size_t>(numbering.num_keys()) + 1, 0);
+  for (const Index key : keys) {
+    if (key >= 0) ++next[static_cast<std::size_t>(key)];
+  }
+  Order<D> order;
+  Index place = 0;
+  for (Index first = 0; first < numbering.num_keys(); first += numbering.cells_per_block) {
+    const Index begin = place;
+    for (Index key = first; key < first + numbering.cells_per_block; ++key) {
+      const Index count = next[static_cast<std::size_t>(key)];
+      next[static_cast<std::size_t>(key)] = place;
+      place += count;
+    }
+    if (place == begin) continue;
+    const Index end = begin + (place - begin + pack_size - 1) / pack_size * pack_size;
+    order.blocks.blocks.push_back({numbering.first_cell(first / numbering.cells_per_block), begin, end});
+    for (; place < end; ++place) order.padding.push_back(place);
+  }
+  order.source.assign(static_cast<std::size_t>(place), 0);
+  for (std::size_t p = 0; p < keys.size(); ++p) {
+    if (keys[p] < 0) continue;
+    order.source[static_cast<std::size_t>(next[static_cast<std::size_t>(keys[p])]++)] = static_cast<Index>(p);
+  }
+  for (const Index pad : order.padding) {
+    order.source[static_cast<std::size_t>(pad)] = order.source[static_cast<std::size_t>(pad) - 1];
+  }
+  return order;
+}
+
+}  // namespace
+
+template <int D>
+void colour_blocks(ParticleBlocks<D>& blocks, const CartesianGrid<D>& grid) {
+  const Numbering<D> numbering{grid};
+  Index num_colours = 1;
+  for (int axis = 0; axis < D; ++axis) num_colours *= 4;
+  blocks.colours.assign(static_cast<std::size_t>(num_colours), {});
+  for (std::size_t b = 0; b < blocks.blocks.size(); ++b) {
+    Index colour = 0;
+    for (std::size_t axis = D; axis-- > 0;) {
+      const Index place = (blocks.blocks[b].first_cell[axis] + 1) / block_edge<D>;
+      const Index to_last = numbering.num_blocks[axis] - 1 - place;
+      // Round a periodic axis the last two blocks also meet the first ones: they stand alone.
+      const bool meets_first = grid.is_periodic()[axis] && place > 0 && to_last <= 1;
+      colour = colour * 4 + (meets_first ? 3 - to_last : place % 2);
+    }
+    blocks.colours[static_cast<std::size_t>(colour)].push_back(static_cast<Index>(b));
+  }
+  std::erase_if(blocks.colours, [](const auto& colour) { return colour.empty(); });
+}
+
+template <int D, int V>
+ParticleBlocks<D> cell_sort(Particles<D, V>& particles, const CartesianGrid<D>& grid, double stencil_shift,
+                            Threads threads) {
+  const Numbering<D> numbering{grid};
+  Order<D> order = order_by(keys_of(particles, grid, stencil_shift, numbering), numbering);
+  std::vector<Column*> columns;
+  particles.for_each_column([&](Column& column) { columns.push_back(&column); });
+  for_each_block(static_cast<Index>(columns.size()), threads,
+                 [&](Index c) { columns[static_cast<std::size_t>(c)]->reorder(order.source); });
+  for (const Index pad : order.padding) particles.mass.component(0)[pad] = 0;
+  colour_blocks(order.blocks, grid);
+  return std::move(order.blocks);
+}
+
+#define SCREE_INSTANCE(D, V) \
+  template ParticleBlocks<D> cell_sort(Particles<D, V>&, const CartesianGrid<D>&, double, Threads);
+SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
+#undef SCREE_INSTANCE
+template void colour_blocks(ParticleBlocks<1>&, const CartesianGrid<1>&);
+template void colour_blocks(ParticleBlocks<2>&, const CartesianGrid<2>&);
+template void colour_blocks(ParticleBlocks<3>&, const CartesianGrid<3>&);
+
+}  // namespace scree::mpm

@@ -1,0 +1,143 @@
+#include "instances.hpp"
+
+#include <scree/mpm/cell_sort.hpp>
+#include <scree/mpm/step.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+namespace scree::mpm {
+
+namespace {
+
+/// Adds the time between its birth and its end to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_{sum} {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() { sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+template <int D, int V>
+void sort(State<D, V>& state, const Stages<D, V>& stages, Threads threads) {
+  const Stopwatch watch{state.seconds.sort};
+  state.blocks = cell_sort(state.particles, state.nodes.grid(), stages.transfer->stencil_shift(), threads);
+  state.block_results.resize(state.blocks.blocks.size());
+  state.needs_sort = false;
+}
+
+template <int D, int V>
+void scatter(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
+  const Stopwatch watch{state.seconds.scatter};
+  state.nodes.clear();
+  state.blocks.for_each_coloured(threads, [&](Index b) {
+    const ParticleBlock<D>& block = state.blocks.blocks[static_cast<std::size_t>(b)];
+    state.block_results[static_cast<std::size_t>(b)].stiffness =
+        stages.stress->apply(state.particles, block, dt);
+    stages.transfer->scatter(state.particles, block, state.nodes, dt);
+  });
+}
+
+template <int D, int V>
+void move_nodes(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
+  const Stopwatch watch{state.seconds.nodes};
+  for (const auto& boundary : stages.boundaries) boundary->fold(state.nodes);
+  advance_momentum(state.nodes, stages.gravity.data(), dt, state.mass_floor, threads);
+  for (const auto& boundary : stages.boundaries) boundary->hold(state.nodes);
+  for (const auto& boundary : stages.boundaries) boundary->reflect(state.nodes);
+}
+
+template <int D, int V>
+void gather(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
+  const Stopwatch watch{state.seconds.gather};
+  state.blocks.for_each(threads, [&](Index b) {
+    state.block_results[static_cast<std::size_t>(b)].motion = stages.transfer->gather(
+        state.particles, state.blocks.blocks[static_cast<std::size_t>(b)], state.nodes, dt);
+  });
+}
+
+/// The worst of all blocks; a maximum does not depend on the order.
+template <int D, int V>
+void reduce(State<D, V>& state) {
+  state.rates = {};
+  for (const BlockResult& result : state.block_results) {
+    Rates& worst = state.rates;
+    worst.wave_speed = std::max(worst.wave_speed, result.stiffness.wave_speed);
+    worst.kinematic_viscosity = std::max(worst.kinematic_viscosity, result.stiffness.kinematic_viscosity);
+    worst.advection_rate = std::max(worst.advection_rate, result.motion.advection_rate);
+    state.needs_sort = state.needs_sort || result.motion.needs_sort;
+  }
+}
+
+}  // namespace
+
+template <int D, int V>
+State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const Stages<D, V>& stages,
+                  Threads threads) {
+  require(particles.size() > 0, "a run needs at least one material point");
+  State<D, V> state{std::move(particles), Nodes<D>{grid, stages.transfer->record()}};
+  const auto masses = state.particles.mass.values();
+  state.mass_floor = stages.mass_floor * *std::max_element(masses.begin(), masses.end());
+  sort(state, stages, threads);
+  const BlockStiffness stiffness = stages.stress->stiffness(state.particles);
+  state.rates.wave_speed = stiffness.wave_speed;
+  state.rates.kinematic_viscosity = stiffness.kinematic_viscosity;
+  for (Index p = 0; p < state.particles.size(); ++p) {
+    double rate = 0;
+    for (int axis = 0; axis < D; ++axis) {
+      rate += std::abs(state.particles.velocity.component(axis)[p]) / grid.spacing()[axis];
+    }
+    state.rates.advection_rate = std::max(state.rates.advection_rate, rate);
+  }
+  return state;
+}
+
+template <int D, int V>
+void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
+  scatter(state, stages, dt, threads);
+  move_nodes(state, stages, dt, threads);
+  gather(state, stages, dt, threads);
+  reduce(state);
+  if (state.needs_sort) sort(state, stages, threads);
+}
+
+template <int D>
+void advance_momentum(Nodes<D>& nodes, const double* gravity, double dt, double mass_floor, Threads threads) {
+  constexpr Index nodes_per_block = 4096;
+  const NodeRecord layout = nodes.record();
+  const Index num_blocks = (nodes.num_nodes() + nodes_per_block - 1) / nodes_per_block;
+  for_each_block(num_blocks, threads, [&](Index block) {
+    const Index end = std::min(nodes.num_nodes(), (block + 1) * nodes_per_block);
+    for (Index n = block * nodes_per_block; n < end; ++n) {
+      double* node = nodes[n];
+      const bool moves = node[NodeRecord::mass] > mass_floor;
+      const double inverse_mass = moves ? 1 / node[NodeRecord::mass] : 0;
+      for (int i = 0; i < layout.num_velocities; ++i) {
+        double& velocity = node[NodeRecord::momentum + i];
+        velocity *= inverse_mass;
+        double increment = moves ? dt * gravity[i] : 0;
+        if (layout.has_increment) {
+          increment += dt * inverse_mass * node[layout.increment() + i];
+          node[layout.increment() + i] = increment;
+        }
+        velocity += increment;
+      }
+    }
+  });
+}
+
+#define SCREE_INSTANCE(D, V)                                                                          \
+  template State<D, V> start(Particles<D, V>, const CartesianGrid<D>&, const Stages<D, V>&, Threads); \
+  template void step(State<D, V>&, const Stages<D, V>&, double, Threads);
+SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
+#undef SCREE_INSTANCE
+template void advance_momentum(Nodes<1>&, const double*, double, double, Threads);
+template void advance_momentum(Nodes<2>&, const double*, double, double, Threads);
+template void advance_momentum(Nodes<3>&, const double*, double, double, Threads);
+
+}  // namespace scree::mpm

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <scree/constitutive_law.hpp>
+#include <scree/rheology/parameters.hpp>
+
+#include <concepts>
+#include <string_view>
+#include <type_traits>
+
+namespace scree::rheology {
+
+/// A constitutive law as the list of laws holds it: the contract of `ConstitutiveLaw`, an aggregate whose
+/// parameters are set by name, the density of the unloaded material [kg/m^3] among them, and a description of
+/// itself from which scenes are read and tests are made.
+template <class Law>
+concept DescribedLaw = ConstitutiveLaw<Law> && std::is_aggregate_v<Law> && requires(const Law law) {
+  { law.density } -> std::convertible_to<double>;
+  { Law::summary } -> std::convertible_to<std::string_view>;
+  { *Law::parameters.begin() } -> std::convertible_to<LawParameter<Law>>;
+};
+
+}  // namespace scree::rheology

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <scree/lattice.hpp>
+#include <scree/transport/face.hpp>
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <string_view>
+
+namespace scree::transport {
+
+/// For people: the name in a scene, and what it is in one line.
+template <class T>
+concept Named = requires {
+  { T::name } -> std::convertible_to<std::string_view>;
+  { T::summary } -> std::convertible_to<std::string_view>;
+};
+
+/// A slope from the differences to both sides of a cell: between them, zero at an extremum.  Eq. (T5)
+///
+/// `sharpness()` is the largest ratio of the slope to the smaller difference: it sets the promised CFL.
+template <class L>
+concept Limiter = Named<L> && std::copyable<L> && requires(const L limiter, double backward, double forward) {
+  { limiter(backward, forward) }
+  noexcept->std::same_as<double>;
+  { limiter.sharpness() }
+  noexcept->std::same_as<double>;
+};
+
+/// A conservation law at one point: its flux along a unit normal, and a bound of |wave speed| for every
+/// state between two (the whole interval, not its ends alone, where the flux is not convex).  Eq. (T1)
+template <class L, int D>
+concept PointLaw = std::copyable<L> &&
+    requires(const L law, const typename L::State& u, const Vector<D>& normal) {
+  requires std::same_as < typename L::State, std::array < double, static_cast<std::size_t>(L::num_components)
+  >> ;
+  { law.flux(u, normal) }
+  noexcept->std::same_as<typename L::State>;
+  { law.max_speed(u, u, normal) }
+  noexcept->std::same_as<double>;
+};
+
+/// A point law with diffusion in divergence form, div grad K(u): the potential K [unit of the state x m^2/s]
+/// and a bound of the eigenvalues of K'(u) between two states [m^2/s].  Eq. (T11)
+template <class L>
+concept Diffusive = requires(const L law, const typename L::State& u) {
+  { law.potential(u) }
+  noexcept->std::same_as<typename L::State>;
+  { law.max_diffusivity(u, u) }
+  noexcept->std::same_as<double>;
+};
+
+/// A law that differs from face to face: `at(face)` is the point law there. It is not asked at faces with
+/// an empty side's values in use, nor at closed boundaries; what it returns beside empty sites is ignored.
+template <class L>
+concept FaceDependent = requires(const L law, const Face& face) {
+  { law.at(face) }
+  noexcept;
+};
+
+/// The law that holds at `face`; free of cost for laws that are the same everywhere.
+template <class L>
+[[nodiscard]] constexpr decltype(auto) law_at(const L& law, const Face& face) noexcept {
+  if constexpr (FaceDependent<L>) {
+    return law.at(face);
+  } else {
+    return (law);
+  }
+}
+
+/// The point law of a law: itself, or what its `at(face)` returns.
+template <class L>
+using PointLawOf =
+    std::remove_cvref_t<decltype(law_at(std::declval<const L&>(), std::declval<const Face&>()))>;
+
+template <class L, int D>
+concept ConservationLaw = std::copyable<L> && PointLaw<PointLawOf<L>, D>;
+
+/// Combines a law with the states on both sides of a face.  Eq. (T3)
+template <class F, class Law, int D>
+concept NumericalFlux = Named<F> && std::copyable<F> &&
+    requires(const F flux, const Law law, const typename Law::State& u, const Vector<D>& normal) {
+  { flux(law, u, u, normal) }
+  noexcept->std::same_as<FaceFlux<typename Law::State>>;
+};
+
+/// The values at the two faces of a cell along a line, from three cells. Bounded by them, mean kept.
+///
+/// Where a neighbour is missing or empty it is called with three equal states.
+/// `promised_cfl()` is the largest CFL number at which bounds and total variation are kept.  Eq. (T9)
+template <class R, int N>
+concept Reconstruction = Named<R> && std::copyable<R> &&
+    requires(const R reconstruction, const std::array<double, static_cast<std::size_t>(N)>& u) {
+  { reconstruction(u, u, u) }
+  noexcept->std::same_as<Edges<std::array<double, static_cast<std::size_t>(N)>>>;
+  { reconstruction.promised_cfl() }
+  noexcept->std::same_as<double>;
+};
+
+/// The flux out through a boundary face, from the state inside and the outward normal. A closed boundary
+/// lets nothing through, and no law is asked there.
+template <class B, class Flux, class Law, int D>
+concept Boundary = Named<B> && std::copyable<B> &&
+    requires(const B boundary, const Flux flux, const Law law, const typename Law::State& inside,
+             const Vector<D>& outward) {
+  { B::is_closed } -> std::convertible_to<bool>;
+  { boundary.flux(flux, law, inside, outward) }
+  noexcept->std::same_as<FaceFlux<typename Law::State>>;
+};
+
+/// Control volumes on a lattice, each filled with a density of its own; no density, no site.
+///
+/// The balance is rho_i V_i du_i/dt = -sum_f rho_f A_f F_f, rho_f = min(rho_i, rho_j).  Eqs. (T2), (T10)
+template <class G>
+concept LatticeGrid = std::copyable<G> && requires(const G grid, Index site) {
+  { G::dimension } -> std::convertible_to<int>;
+  { grid.lattice() }
+  noexcept->std::same_as<const Lattice<G::dimension>&>;
+  { grid.density(site) }
+  noexcept->std::same_as<double>;
+};
+
+/// A Runge-Kutta method as convex combinations of forward Euler steps (Shu-Osher form): stage k is
+/// kept[k] u^n + (1 - kept[k]) (u^(k-1) + dt L(u^(k-1))).  Eq. (T7)
+template <class I>
+concept Integrator = Named<I> && requires {
+  { I::kept.size() } -> std::convertible_to<std::size_t>;
+  { I::kept[0] } -> std::convertible_to<double>;
+};
+
+}  // namespace scree::transport

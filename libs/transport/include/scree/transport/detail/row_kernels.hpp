@@ -1,0 +1,122 @@
+#pragma once
+
+#include <scree/transport/components.hpp>
+#include <scree/transport/concepts.hpp>
+#include <scree/transport/detail/tiles.hpp>
+#include <scree/transport/fields.hpp>
+
+#include <algorithm>
+
+// The two loops in which all the work is: reconstruction and flux, along rows of up to tile_width sites.
+// Each is one function that is never inlined into a caller, so that a face which two threads compute has
+// the same bits in both, and has everything inlined into it, so that it can be vectorised.
+
+namespace scree::transport::detail {
+
+/// First of `count` consecutive sites, and of their neighbours on both sides along an axis; all three the
+/// same where a neighbour is missing.
+struct StencilRow {
+  Index below;
+  Index here;
+  Index above;
+  Index count;
+};
+
+/// Values of the reconstruction at both faces of each site of a row.  Eqs. (T4) to (T6)
+template <class Grid, class R, int N>
+[[gnu::noinline, gnu::flatten]] void reconstruct(const Grid& grid, const R& reconstruction,
+                                                 const Fields<N>& fields, const StencilRow& row,
+                                                 double* __restrict low, double* __restrict high) noexcept {
+  using State = std::array<double, static_cast<std::size_t>(N)>;
+  const Index stride = fields.stride();
+  const double* u = fields.data();
+#pragma GCC ivdep
+  for (Index i = 0; i < row.count; ++i) {
+    const bool is_inside = std::min(grid.density(row.below + i), grid.density(row.above + i)) > 0;
+    State below;
+    State here;
+    State above;
+    for_each_component<N>([&](std::size_t k) {
+      const double* component = u + static_cast<Index>(k) * stride;
+      const double value_below = component[row.below + i];  // loaded whether wanted or not: no branch
+      const double value_above = component[row.above + i];
+      here[k] = component[row.here + i];
+      below[k] = is_inside ? value_below : here[k];
+      above[k] = is_inside ? value_above : here[k];
+    });
+    const Edges<State> edges = reconstruction(below, here, above);
+    for_each_component<N>([&](std::size_t k) {
+      low[static_cast<Index>(k) * Tile<N>::stride + i] = edges.low[k];
+      high[static_cast<Index>(k) * Tile<N>::stride + i] = edges.high[k];
+    });
+  }
+}
+
+/// First of `count` consecutive faces: the sites on both sides, and the geometry that all of them share.
+struct FaceRow {
+  Index owner;
+  Index neighbour;
+  Index count;
+  int axis;
+  double distance;  ///< between the sites on both sides [m]
+};
+
+/// What a point law's diffusion sends through a face, from the values at the sites.  Eq. (T11)
+template <class Law, class State>
+[[nodiscard]] double add_diffusion(const Law& law, const State& left, const State& right, double per_distance,
+                                   State& flux) noexcept {
+  if constexpr (Diffusive<Law>) {
+    const State potential_left = law.potential(left);
+    const State potential_right = law.potential(right);
+    for_each_component<Law::num_components>(
+        [&](std::size_t k) { flux[k] -= (potential_right[k] - potential_left[k]) * per_distance; });
+    return law.max_diffusivity(left, right) * per_distance;
+  } else {
+    return 0;
+  }
+}
+
+/// Fluxes through a row of faces between sites, from the reconstructed states on both sides of each, times
+/// the smaller of the two densities; zero where a side is empty.  Eqs. (T3), (T10), (T11)
+template <class Grid, class Law, class Flux, int N>
+[[gnu::noinline, gnu::flatten]] void flux_between(const Grid& grid, const Law& law,
+                                                  const Flux& numerical_flux, const Fields<N>& fields,
+                                                  const FaceRow& row, const double* __restrict left,
+                                                  const double* __restrict right,
+                                                  double* __restrict flux) noexcept {
+  using State = std::array<double, static_cast<std::size_t>(N)>;
+  using Out = FluxTile<N>;
+  const Vector<Grid::dimension> normal = Vector<Grid::dimension>::Unit(row.axis);
+  const double per_distance = 1 / row.distance;
+  const Law law_here = law;  // a copy that no store can change
+  const Index stride = fields.stride();
+  const double* u = fields.data();
+#pragma GCC ivdep
+  for (Index i = 0; i < row.count; ++i) {
+    const Index owner = row.owner + i;
+    const Index neighbour = row.neighbour + i;
+    State edge_left;
+    State edge_right;
+    State site_left;
+    State site_right;
+    for_each_component<N>([&](std::size_t k) {
+      edge_left[k] = left[static_cast<Index>(k) * Tile<N>::stride + i];
+      edge_right[k] = right[static_cast<Index>(k) * Tile<N>::stride + i];
+      site_left[k] = u[static_cast<Index>(k) * stride + owner];
+      site_right[k] = u[static_cast<Index>(k) * stride + neighbour];
+    });
+    const auto& point_law = law_at(law_here, Face{owner, neighbour, row.axis, row.distance});
+    FaceFlux<State> face = numerical_flux(point_law, edge_left, edge_right, normal);
+    const double diffusion = add_diffusion(point_law, site_left, site_right, per_distance, face.value);
+    const double density = std::min(grid.density(owner), grid.density(neighbour));
+    const bool is_open = density > 0;
+    for_each_component<N>([&](std::size_t k) {
+      flux[static_cast<Index>(k) * Out::stride + i] = is_open ? density * face.value[k] : 0.0;
+    });
+    flux[Out::speed * Out::stride + i] = is_open ? face.speed : 0.0;
+    flux[Out::drain * Out::stride + i] = is_open ? density * face.speed : 0.0;
+    flux[Out::diffusion * Out::stride + i] = is_open ? density * diffusion : 0.0;
+  }
+}
+
+}  // namespace scree::transport::detail

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <scree/tensor.hpp>
+
+#include <cstddef>
+
+namespace scree::transport::detail {
+
+/// @throws InputError unless 0 < cfl <= promised.
+void require_cfl(double cfl, double promised);
+
+/// @throws InputError unless there are num_sites x num_components values.
+void require_size(std::size_t num_values, Index num_sites, int num_components);
+
+/// @throws InputError unless the duration is zero or positive, and finite.
+void require_duration(double duration);
+
+/// @throws RunError if a step is so short that time stands still.
+void require_progress(double dt, double duration);
+
+}  // namespace scree::transport::detail

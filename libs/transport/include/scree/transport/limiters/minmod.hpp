@@ -1,0 +1,42 @@
+#pragma once
+
+#include <scree/error.hpp>
+#include <scree/parameter.hpp>
+#include <scree/transport/concepts.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree::transport {
+
+/// Generalised minmod limiter: the gentlest of three slopes, zero at an extremum.
+///
+/// theta = 1 is minmod (most diffusive), theta = 2 monotonised central (MC).
+/// Takes and returns differences of one quantity over one cell, in its unit.
+/// @see Eq. (T5a), \cite kurganov2000
+class Minmod {
+ public:
+  static constexpr std::string_view name = "minmod";
+  static constexpr std::string_view summary =
+      "generalised minmod, theta from 1 (most diffusive) to 2 (monotonised central)";
+  static constexpr std::array<Parameter, 1> parameters{{{"theta", "-", "sharpness of minmod, 1 to 2", 1}}};
+
+  /// @param theta sharpness, 1 to 2 [-].  @throws InputError outside that range (or NaN).
+  explicit Minmod(double theta = 1) : theta_{theta} {
+    require(1 <= theta && theta <= 2, "Minmod: theta must lie in [1, 2]");
+  }
+
+  [[nodiscard]] double operator()(double backward, double forward) const noexcept {
+    const double gentlest = theta_ * std::min(std::abs(backward), std::abs(forward));
+    const double slope = std::copysign(std::min(gentlest, std::abs(backward + forward) / 2), forward);
+    return (backward > 0) == (forward > 0) ? slope : 0.0;
+  }
+
+  [[nodiscard]] double sharpness() const noexcept { return theta_; }
+
+ private:
+  double theta_;
+};
+static_assert(Limiter<Minmod>);
+
+}  // namespace scree::transport

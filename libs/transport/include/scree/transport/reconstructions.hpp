@@ -1,0 +1,17 @@
+#pragma once
+
+#include <scree/transport/limiters.hpp>
+#include <scree/transport/reconstructions/piecewise_constant.hpp>
+#include <scree/transport/reconstructions/piecewise_linear.hpp>
+#include <scree/transport/reconstructions/piecewise_linear_common.hpp>
+#include <scree/transport/type_list.hpp>
+
+namespace scree::transport {
+
+/// Every reconstruction there is, those with a limiter at minmod. A new one is its header and one entry.
+using ReconstructionList = TypeList<  //
+    PiecewiseConstant,                //
+    PiecewiseLinear<Minmod>,          //
+    PiecewiseLinearCommon<Minmod>>;
+
+}  // namespace scree::transport

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <scree/transport/components.hpp>
+#include <scree/transport/concepts.hpp>
+#include <scree/transport/limiters/minmod.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace scree::transport {
+
+/// Second order with one limiter factor for all components of a cell: each slope is alpha times the
+/// central difference, alpha in [0, 1] the smallest that any component's limiter asks for.
+///
+/// The slopes of components whose sum is constant add to zero, so fractions that sum to one do so at the
+/// faces too. Linear profiles are kept whole.
+/// @see Eq. (T6)
+template <Limiter L>
+struct PiecewiseLinearCommon {
+  static constexpr std::string_view name = "piecewise_linear_common";
+  static constexpr std::string_view summary =
+      "second order with one limiter factor for all components: keeps their sum";
+
+  L limiter{};
+  /// Typical size of a component [unit of the state]: variations below four round-offs of it, or of the
+  /// cell's value, ask for nothing. Fractions take 1: else the last digits of classes that are all but absent
+  /// flatten the profiles of the others. Bounds hold to those round-offs.
+  double scale = 0;
+
+  template <class State>
+  [[nodiscard]] Edges<State> operator()(const State& below, const State& here,
+                                        const State& above) const noexcept {
+    constexpr int num_components = static_cast<int>(std::tuple_size_v<State>);
+    Ratio alpha{1, 1};
+    for_each_component<num_components>(
+        [&](std::size_t k) { alpha = smaller(alpha, allowed(below[k], here[k], above[k])); });
+    const double quarter = 0.25 * (alpha.numerator / alpha.denominator);
+    Edges<State> edges;
+    for_each_component<num_components>([&](std::size_t k) {
+      const double half_slope = quarter * (above[k] - below[k]);
+      edges.low[k] = here[k] - half_slope;
+      edges.high[k] = here[k] + half_slope;
+    });
+    return edges;
+  }
+
+  /// Coupled components keep their bounds up to 1/2, whatever the limiter.  Eq. (T9)
+  [[nodiscard]] double promised_cfl() const noexcept { return 0.5; }
+
+ private:
+  /// Not divided until the smallest is known.
+  struct Ratio {
+    double numerator;
+    double denominator;
+  };
+
+  /// The smaller of two ratios of numbers that are not negative; the first one if the other is 0/0.
+  [[nodiscard]] static Ratio smaller(const Ratio& a, const Ratio& b) noexcept {
+    const bool is_b = b.numerator * a.denominator < a.numerator * b.denominator;
+    return {is_b ? b.numerator : a.numerator, is_b ? b.denominator : a.denominator};
+  }
+
+  /// The part of the central difference that the limiter allows one component. One that varies by no more
+  /// than its rounding asks for nothing: its noise must not flatten the others.
+  [[nodiscard]] Ratio allowed(double below, double here, double above) const noexcept {
+    constexpr double noise = 4 * round_off;
+    const double backward = here - below;
+    const double forward = above - here;
+    const double central = std::abs(0.5 * (backward + forward));
+    const double limited = std::abs(limiter(backward, forward));
+    const bool is_noise =
+        std::max(std::abs(backward), std::abs(forward)) <= noise * std::max(std::abs(here), scale);
+    return {is_noise ? central : limited, central};
+  }
+};
+template <Limiter L>
+PiecewiseLinearCommon(L) -> PiecewiseLinearCommon<L>;
+template <Limiter L>
+PiecewiseLinearCommon(L, double) -> PiecewiseLinearCommon<L>;
+
+static_assert(Reconstruction<PiecewiseLinearCommon<Minmod>, 2>);
+
+}  // namespace scree::transport

@@ -1,0 +1,161 @@
+#pragma once
+
+#include <scree/error.hpp>
+#include <scree/transport/detail/solver_checks.hpp>
+#include <scree/transport/fluxes/kurganov_tadmor.hpp>
+#include <scree/transport/grids/cartesian.hpp>
+#include <scree/transport/semi_discrete.hpp>
+#include <scree/transport/time/cfl.hpp>
+#include <scree/transport/time/ssp_rk2.hpp>
+#include <scree/transport/time/stages.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace scree::transport {
+
+/// What an advance did.
+struct Advance {
+  int substeps = 0;          ///< steps taken
+  double largest_speed = 0;  ///< at any face in any of them [m/s]
+  double stable_dt = 0;      ///< longest that the last step could have been [s]
+};
+
+/// What a solver of N components in D dimensions may be told.
+template <int D, int N>
+struct SolverOptions {
+  std::optional<double> cfl = {};  ///< CFL number of its steps [-]; 9/10 of the promised one unless given
+  Threads threads = {};            ///< one unless given
+  BoxBoundaries<D, N> boundaries = {};  ///< of the axes that are not periodic; walls unless given
+};
+
+/// Advances a conservation law in time, in as many steps as its CFL number asks for.
+///
+/// Owns its work arrays: advancing allocates nothing. The grid and the law may be changed between advances
+/// (new masses, a new driver) through grid() and law(). The same bits for any number of threads.
+template <LatticeGrid Grid, class Law, class Reconstruct, class Flux = KurganovTadmor>
+class Solver {
+ public:
+  static constexpr int D = Grid::dimension;
+  static constexpr int N = PointLawOf<Law>::num_components;
+  using Options = SolverOptions<D, N>;
+
+  /// @throws InputError if the CFL number is not in (0, promised_cfl].
+  Solver(Grid grid, Law law, Reconstruct reconstruction, Stages stages = SspRk2{},
+         SolverOptions<Grid::dimension, PointLawOf<Law>::num_components> options = {}, Flux flux = {})
+      : promised_cfl_{promised_cfl(reconstruction)},
+        cfl_{options.cfl.value_or(usual_part * promised_cfl_)},
+        stages_{stages},
+        semi_discrete_{{std::move(grid), std::move(law), reconstruction, std::move(flux), options.boundaries},
+                       promised_cfl_,
+                       options.threads},
+        now_{num_sites()},
+        stage_{num_sites()},
+        rates_{num_sites()} {
+    detail::require_cfl(cfl_, promised_cfl_);
+  }
+
+  /// The largest CFL number at which bounds are kept: of a scalar law what the reconstruction promises,
+  /// else at most 1/2.  Eq. (T9)
+  [[nodiscard]] static double promised_cfl(const Reconstruct& reconstruction) noexcept {
+    constexpr bool is_simple = N == 1 && !Diffusive<PointLawOf<Law>>;
+    return is_simple ? reconstruction.promised_cfl() : std::min(0.5, reconstruction.promised_cfl());
+  }
+
+  [[nodiscard]] Grid& grid() noexcept { return semi_discrete_.problem().grid; }
+  [[nodiscard]] Law& law() noexcept { return semi_discrete_.problem().law; }
+
+  /// Advances `u` by `duration` [s].
+  /// @param u num_sites x num_components, component fastest; not written at empty sites.
+  /// @throws InputError for a wrong length or duration. @throws RunError if a value is not finite; then `u`
+  /// is as it was.
+  Advance advance(std::span<double> u, double duration) {
+    detail::require_size(u.size(), num_sites(), N);
+    detail::require_duration(duration);
+    now_.gather(u, semi_discrete_.threads());
+    Advance result;
+    double remaining = duration;
+    while (remaining > 0) {
+      const double dt = step(remaining, result);
+      detail::require_progress(dt, duration);
+      remaining = dt < remaining ? remaining - dt : 0;
+    }
+    now_.scatter(u, semi_discrete_.threads(), [&](Index site) { return grid().density(site) > 0; });
+    return result;
+  }
+
+  /// The longest step that `u` allows [s]; infinite where nothing moves.
+  /// @throws as advance.
+  [[nodiscard]] double stable_time_step(std::span<const double> u) {
+    detail::require_size(u.size(), num_sites(), N);
+    now_.gather(u, semi_discrete_.threads());
+    return longest_step(semi_discrete_(now_, rates_).limit, cfl_);
+  }
+
+ private:
+  [[nodiscard]] Index num_sites() const noexcept {
+    return semi_discrete_.problem().grid.lattice().num_sites();
+  }
+
+  /// One step of at most `remaining`. Should a later stage be so fast that the step breaks the promised CFL
+  /// number there, the step is taken again, shorter. @return its length [s]
+  double step(double remaining, Advance& result) {
+    StepBounds bounds = semi_discrete_(now_, rates_);
+    result.stable_dt = longest_step(bounds.limit, cfl_);
+    double dt = next_step(remaining, bounds.limit, cfl_);
+    for (;;) {
+      const double limit = run_stages(dt, bounds, result);
+      if (is_stable(dt, limit, promised_cfl_)) break;
+      dt = usual_part * longest_step(limit, cfl_);
+      bounds = semi_discrete_(now_, rates_);
+    }
+    ++result.substeps;
+    return dt;
+  }
+
+  /// The stages of a step, whose first rates are there, up to one that breaks the promised CFL number; the
+  /// last one writes now_. @return the largest limit of all stages [1/s]
+  double run_stages(double dt, const StepBounds& first, Advance& result) {
+    const std::size_t num_stages = stages_.kept.size();
+    double limit = first.limit;
+    result.largest_speed = std::max(result.largest_speed, first.speed);
+    for (std::size_t stage = 0; stage < num_stages; ++stage) {
+      if (stage > 0) {
+        const StepBounds bounds = semi_discrete_(stage_, rates_);
+        limit = std::max(limit, bounds.limit);
+        result.largest_speed = std::max(result.largest_speed, bounds.speed);
+        if (!is_stable(dt, limit, promised_cfl_)) break;
+      }
+      combine(stages_.kept[stage], dt, stage == 0 ? now_ : stage_, stage + 1 == num_stages ? now_ : stage_);
+    }
+    return limit;
+  }
+
+  /// next = kept u^n + (1 - kept)(stage + dt rates).  Eq. (T7)
+  void combine(double kept, double dt, const Fields<N>& stage, Fields<N>& next) {
+    const auto n = static_cast<Index>(now_.all().size());
+    constexpr Index chunk = 8192;
+    for_each_block((n + chunk - 1) / chunk, semi_discrete_.threads(), [&](Index block) {
+      const Index end = std::min(n, (block + 1) * chunk);
+      for (Index i = block * chunk; i < end; ++i) {
+        const double advanced = stage.data()[i] + dt * rates_.data()[i];
+        next.data()[i] = kept * now_.data()[i] + (1 - kept) * advanced;
+      }
+    });
+  }
+
+  // [-] Of the promised CFL number: leaves room for speeds that grow within a step.
+  static constexpr double usual_part = 0.9;
+
+  double promised_cfl_;
+  double cfl_;
+  Stages stages_;
+  SemiDiscrete<Grid, Law, Reconstruct, Flux> semi_discrete_;
+  Fields<N> now_;
+  Fields<N> stage_;
+  Fields<N> rates_;
+};
+
+}  // namespace scree::transport

@@ -1,0 +1,40 @@
+#include <scree/error.hpp>
+#include <scree/transport/detail/solver_checks.hpp>
+
+#include <cmath>
+#include <sstream>
+
+namespace scree::transport::detail {
+
+void require_cfl(double cfl, double promised) {
+  if (0 < cfl && cfl <= promised) return;
+  std::ostringstream text;
+  text << "Solver: the CFL number is " << cfl << ": must lie in (0, " << promised
+       << "], where bounds and total variation are kept";
+  throw InputError{text.str()};
+}
+
+void require_size(std::size_t num_values, Index num_sites, int num_components) {
+  if (num_values == static_cast<std::size_t>(num_sites * num_components)) return;
+  std::ostringstream text;
+  text << "Solver: " << num_values << " values for " << num_sites << " sites x " << num_components
+       << " components";
+  throw InputError{text.str()};
+}
+
+void require_duration(double duration) {
+  if (duration >= 0 && std::isfinite(duration)) return;
+  std::ostringstream text;
+  text << "Solver: the duration is " << duration << " s: must be zero or positive, and finite";
+  throw InputError{text.str()};
+}
+
+void require_progress(double dt, double duration) {
+  if (dt > round_off * duration) return;
+  std::ostringstream text;
+  text << "Solver: the time step fell to " << dt << " s, below the round-off of the duration, " << duration
+       << " s";
+  throw RunError{text.str()};
+}
+
+}  // namespace scree::transport::detail

@@ -1,0 +1,225 @@
+// The program as people run it: exit codes, files, what it prints.
+
+#include "scenes.hpp"
+
+#include <scree/io/frame_reader.hpp>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace scree::app::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Result {
+  int exit_code;
+  std::string output;  // and errors
+};
+
+/// Runs the program with arguments as a shell splits them.
+[[nodiscard]] Result scree(const std::string& arguments) {
+  const std::string command = std::string{SCREE_PROGRAM} + " " + arguments + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return {-1, "cannot start the program"};
+  std::string output;
+  std::array<char, 4096> buffer{};
+  for (std::size_t n = 0; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    output.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+}
+
+/// A directory of its own, empty.
+[[nodiscard]] fs::path fresh(const std::string& name) {
+  const fs::path folder = fs::path{::testing::TempDir()} / "scree_program" / name;
+  fs::remove_all(folder);
+  return folder;
+}
+
+[[nodiscard]] std::string scene_file(const std::string& name) {
+  return std::string{SCREE_TEST_SCENES} + "/" + name + ".toml";
+}
+
+[[nodiscard]] std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream{file}.rdbuf();
+  return text.str();
+}
+
+/// Starts the column with frames every 0.01 s in a process of its own.
+[[nodiscard]] pid_t start_column(const fs::path& directory, std::uint64_t largest_file = 0) {
+  const std::string scene = scene_file("inclined_plane_column");
+  const pid_t child = fork();
+  if (child != 0) return child;
+  if (largest_file > 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{largest_file, largest_file};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  execl(SCREE_PROGRAM, SCREE_PROGRAM, "run", scene.c_str(), "--output", directory.c_str(), "--quiet", "--set",
+        "output.every=0.01", "--set", "output.checkpoint_every=0.02", nullptr);
+  _exit(127);
+}
+
+/// Waits for a number of frames to be there, at most a minute.
+void wait_for_frames(const fs::path& directory, std::size_t count) {
+  for (int i = 0; i < 6000; ++i) {
+    if (fs::exists(directory / "run.h5") && io::FrameReader{directory}.frames().size() >= count) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds{10});
+  }
+}
+
+TEST(Program, LeavesEverythingItPromises) {
+  const fs::path directory = fresh("promises");
+
+  const Result result = scree("run " + scene_file("inclined_plane_column") + " --quiet --set time.end=0.05 " +
+                              "--set output.every=0.01 --output " + directory.string());
+
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  EXPECT_EQ(result.output, "");
+  for (const char* file : {"run.h5", "run.xdmf", "scene.toml", "checkpoint.h5", "summary.json"}) {
+    EXPECT_TRUE(fs::exists(directory / file)) << file;
+  }
+  const auto summary = nlohmann::json::parse(text_of(directory / "summary.json"));
+  for (const char* key :
+       {"steps", "time", "wall_seconds", "point_updates_per_second", "ns_per_point", "class_mass_drift",
+        "fraction_min", "fraction_max", "fraction_sum_error", "steps_by_limit"}) {
+    EXPECT_TRUE(summary.contains(key)) << key;
+  }
+  EXPECT_EQ(summary["time"], 0.05);
+  EXPECT_EQ(io::FrameReader{directory}.frames().size(), 6U);
+}
+
+TEST(Program, ProfileIsCsvInSiUnits) {
+  const fs::path directory = fresh("profile");
+  ASSERT_EQ(scree("run " + scene_file("inclined_plane_column") + " --quiet --set time.end=0.02 --output " +
+                  directory.string())
+                .exit_code,
+            0);
+
+  const Result result = scree("profile " + directory.string() + " --time 0 --cells 2");
+
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.output,
+            "y,velocity,mean_grain_size,phi_1,phi_2\n"
+            "0.25,0,0.00075,0.5,0.5\n"
+            "0.75,0,0.00075,0.5,0.5\n");
+}
+
+TEST(Program, BadInputEndsWithCode2AndAMessage) {
+  const Result missing = scree("run no_such_scene.toml");
+  const Result faulty = scree("check " + scene_file("inclined_plane_column") + " --set mesh.cells=-1");
+  const Result unknown = scree("dance");
+
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_EQ(missing.output.rfind("no_such_scene.toml: ", 0), 0U) << missing.output;
+  EXPECT_EQ(faulty.exit_code, 2);
+  EXPECT_EQ(faulty.output.rfind("--set mesh.cells=-1: ", 0), 0U) << faulty.output;
+  EXPECT_EQ(unknown.exit_code, 2);
+}
+
+TEST(Program, CheckTellsWhatARunCosts) {
+  const Result result = scree("check " + scene_file("inclined_plane_column_c"));
+
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_NE(result.output.find("points   150 ("), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("cells    51\n"), std::string::npos);
+  EXPECT_NE(result.output.find("bound by the acoustic limit"), std::string::npos);
+  EXPECT_NE(result.output.find("warning: this two-way coupling is ill-posed"), std::string::npos);
+}
+
+/// Explicit sound blows up beyond its limit; here both limits are used whole, where together they are too
+/// long.
+TEST(Program, FailedRunEndsWithCode3AndKeepsWhatItHad) {
+  const fs::path directory = fresh("failed");
+
+  const Result result =
+      scree("run " + scene_file("inclined_plane_column") + " --quiet --set numerics.acoustic=1 " +
+            "--set numerics.viscous=1 --set output.every=0.01 --output " + directory.string());
+
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.output.rfind("scree: the run failed at step ", 0), 0U) << result.output;
+  EXPECT_GE(io::FrameReader{directory}.frames().size(), 1U);
+  EXPECT_TRUE(fs::exists(directory / "checkpoint.h5"));
+  EXPECT_EQ(text_of(directory / "summary.json").find("\"outcome\": \"failed: "), 4U);
+}
+
+TEST(Program, CtrlCEndsWithCode130AndTheRestartIsTheUnbrokenRun) {
+  const fs::path broken = fresh("interrupted");
+  const fs::path whole = fresh("whole");
+  const std::string options =
+      " --quiet --set output.every=0.01 --set output.checkpoint_every=0.02 --set time.end=";
+  const pid_t child = start_column(broken);
+  wait_for_frames(broken, 3);
+  kill(child, SIGINT);
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  const auto summary = nlohmann::json::parse(text_of(broken / "summary.json"));
+  EXPECT_EQ(summary["outcome"], "interrupted");
+  const std::string end = std::to_string(summary["time"].get<double>() + 0.1);
+
+  const Result restarted =
+      scree("run " + scene_file("inclined_plane_column") + options + end + " --restart " +
+            (broken / "checkpoint.h5").string() + " --output " + broken.string());
+  const Result unbroken =
+      scree("run " + scene_file("inclined_plane_column") + options + end + " --output " + whole.string());
+
+  EXPECT_EQ(restarted.exit_code, 0) << restarted.output;
+  EXPECT_EQ(unbroken.exit_code, 0) << unbroken.output;
+  const io::FrameReader a{broken};
+  const io::FrameReader b{whole};
+  ASSERT_EQ(a.frames().size(), b.frames().size());
+  for (const char* field : {"position", "velocity", "fraction"}) {
+    EXPECT_EQ(a.read(a.frames().back(), field), b.read(b.frames().back(), field)) << field;
+  }
+}
+
+TEST(Program, KilledAtAnyMomentLeavesFramesAndCheckpointReadable) {
+  for (const int milliseconds : {3, 11, 23, 47, 95}) {
+    const fs::path directory = fresh("killed");
+    const pid_t child = start_column(directory);
+    wait_for_frames(directory, 2);
+    std::this_thread::sleep_for(std::chrono::milliseconds{milliseconds});
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+
+    const io::FrameReader reader{directory};
+    ASSERT_GE(reader.frames().size(), 2U);
+    for (const io::StoredFrame& frame : reader.frames()) EXPECT_EQ(reader.read(frame, "mass").size(), 150U);
+    const Result result = scree("run " + scene_file("inclined_plane_column") +
+                                " --quiet --set output.every=0.01 --set time.end=0.01 --restart " +
+                                (directory / "checkpoint.h5").string() + " --output " + directory.string());
+    EXPECT_EQ(result.exit_code, 0) << result.output;
+  }
+}
+
+/// A disk that takes no file beyond 30 kB: the first frames fit, the index of frames soon does not.
+TEST(Program, FullDiskEndsWithCode3AndEarlierFramesStay) {
+  const fs::path directory = fresh("full_disk");
+  const pid_t child = start_column(directory, 40000);
+  int status = 0;
+  waitpid(child, &status, 0);
+
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 3);
+  const io::FrameReader reader{directory};
+  EXPECT_GE(reader.frames().size(), 1U);
+  EXPECT_EQ(reader.read(reader.frames().back(), "mass").size(), 150U);
+}
+
+}  // namespace
+}  // namespace scree::app::testing

@@ -1,0 +1,132 @@
+// A run that goes on from its checkpoint is the unbroken run, bit for bit; and so is one on other threads.
+
+#include "scree/restart.hpp"
+
+#include "scenes.hpp"
+
+#include <scree/io/checkpoint.hpp>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace scree::app::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A place of its own for each test.
+[[nodiscard]] fs::path scratch_file(const std::string& name) {
+  const fs::path folder = fs::path{::testing::TempDir()} / "scree_restart";
+  fs::create_directories(folder);
+  return folder / name;
+}
+
+template <int D>
+void expect_same_bits(const Simulation<D, 2>& a, const Simulation<D, 2>& b) {
+  EXPECT_EQ(a.clock.time, b.clock.time);
+  EXPECT_EQ(a.clock.step, b.clock.step);
+  EXPECT_EQ(a.tally.fractions.highest, b.tally.fractions.highest);
+  std::vector<const mpm::Column*> columns;
+  a.state.particles.for_each_column([&](const mpm::Column& column) { columns.push_back(&column); });
+  std::size_t i = 0;
+  b.state.particles.for_each_column([&](const mpm::Column& column) {
+    EXPECT_TRUE(std::ranges::equal(columns[i]->values(), column.values())) << column.quantity().name;
+    ++i;
+  });
+}
+
+/// The plane flows fast from the start, so that points cross cells and are sorted many times.
+[[nodiscard]] Simulation<2, 2> moving_plane(Threads threads) {
+  Simulation<2, 2> plane{scene_of("inclined_plane", {"segregation.every=7"}), threads};
+  auto& particles = plane.state.particles;
+  for (Index p = 0; p < particles.size(); ++p) {
+    particles.velocity.component(0)[p] = 20 * particles.position.component(1)[p];
+    particles.velocity_gradient.component(0 + 2 * 1)[p] = 20;
+  }
+  return plane;
+}
+
+TEST(Restart, GoesOnBitForBit) {
+  const fs::path file = scratch_file("plane.h5");
+  auto unbroken = moving_plane({1});
+  for (int i = 0; i < 333; ++i) unbroken.step();
+  write_checkpoint(unbroken, file, "");
+  for (int i = 0; i < 333; ++i) unbroken.step();
+
+  Simulation<2, 2> restarted{scene_of("inclined_plane", {"segregation.every=7"}), {1}};
+  read_checkpoint_into(restarted, file);
+  for (int i = 0; i < 333; ++i) restarted.step();
+
+  expect_same_bits(unbroken, restarted);
+}
+
+TEST(Restart, WritingACheckpointChangesNothing) {
+  auto with = moving_plane({1});
+  auto without = moving_plane({1});
+
+  for (int i = 0; i < 100; ++i) {
+    with.step();
+    without.step();
+    if (i % 10 == 0) write_checkpoint(with, scratch_file("often.h5"), "");
+  }
+
+  expect_same_bits(with, without);
+}
+
+TEST(Threads, GiveTheSameBits) {
+  const std::vector<std::string> fine{"mesh.cells=204", "segregation.every=5"};
+  Simulation<2, 2> one{scene_of("inclined_plane", fine), {1}};
+  Simulation<2, 2> two{scene_of("inclined_plane", fine), {2}};
+  ASSERT_GT(one.num_points(), 8000);  // enough for a second thread to be used
+
+  for (int i = 0; i < 40; ++i) {
+    one.step();
+    two.step();
+  }
+
+  expect_same_bits(one, two);
+}
+
+[[nodiscard]] std::string message_of_restart(const fs::path& file) {
+  Simulation<1, 2> column{scene_of("inclined_plane_column"), {1}};
+  try {
+    read_checkpoint_into(column, file);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(BadCheckpoint, OfAnotherSceneIsRefused) {
+  const fs::path file = scratch_file("other.h5");
+  write_checkpoint(Simulation<2, 2>{scene_of("inclined_plane"), {1}}, file, "");
+
+  EXPECT_EQ(message_of_restart(file),
+            file.string() +
+                ": is of a run in 2D with 2 velocity components; the scene is in 1D with 2 velocity "
+                "components");
+}
+
+TEST(BadCheckpoint, CutOffIsRefused) {
+  const fs::path file = scratch_file("cut.h5");
+  write_checkpoint(Simulation<1, 2>{scene_of("inclined_plane_column"), {1}}, file, "");
+  fs::resize_file(file, fs::file_size(file) / 2);
+
+  const std::string message = message_of_restart(file);
+
+  EXPECT_EQ(message.rfind(file.string() + ": ", 0), 0U) << message;
+  EXPECT_NE(message, "no error");
+}
+
+TEST(BadCheckpoint, MissingIsRefused) {
+  const fs::path file = scratch_file("never_written.h5");
+
+  const std::string message = message_of_restart(file);
+
+  EXPECT_EQ(message.rfind(file.string() + ": ", 0), 0U) << message;
+}
+
+}  // namespace
+}  // namespace scree::app::testing

@@ -1,0 +1,69 @@
+#include "bodies.hpp"
+
+#include <scree/mpm/geostatic.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace scree::mpm {
+namespace {
+
+constexpr double gravity = 9.81;  // [m/s^2]
+constexpr Fluid soft{.bulk_modulus = 1e5, .reference_density = 1000, .viscosity = 0};
+
+/// A column of 10 cells of 0.1 m, filled up to 0.8 m, at rest under its own weight.
+struct Column10 {
+  Column10() {
+    const auto grid = cube<1>(10, 0.1, false);
+    particles = filled<1>(grid, 3);
+    const StressUpdateBy<1, 1, Fluid> stress{soft, particles};
+    before = particles;
+    set_geostatic(particles, stress, 0, surface, gravity);
+    pressure.resize(static_cast<std::size_t>(particles.size()));
+    stress.pressure(particles, pressure);
+  }
+  static constexpr double surface = 0.8;  // [m]
+  Particles<1> particles;
+  Particles<1> before;
+  std::vector<double> pressure;
+};
+
+TEST(SetGeostatic, BalancesTheWeightAbove) {  // Eq. (M24): dp/dz = rho(p) g has rho = rho_0 exp(rho_0 g z/K)
+  const Column10 column;
+
+  for (Index p = 0; p < column.particles.size(); ++p) {
+    const double depth = Column10::surface - column.particles.position.component(0)[p];
+    if (depth <= 0) continue;
+    const double K = soft.bulk_modulus;
+    const double exponent = soft.reference_density * gravity * depth / K;
+    const double expected = K * std::expm1(exponent);
+    // Four steps of a fourth-order rule: exponent^5/(5! 4^4) of K; the pressure's rounding is K round_off.
+    const double tolerance = K * (std::pow(exponent, 5) / (120 * 256) + 16 * round_off);
+    EXPECT_NEAR(column.pressure[static_cast<std::size_t>(p)], expected, tolerance);
+  }
+}
+
+TEST(SetGeostatic, KeepsTheVolumeOfEachPoint) {
+  const Column10 column;
+
+  for (Index p = 0; p < column.particles.size(); ++p) {
+    const double volume = column.particles.mass.component(0)[p] / column.particles.density.component(0)[p];
+    const double before = column.before.mass.component(0)[p] / column.before.density.component(0)[p];
+    EXPECT_NEAR(volume, before, 4 * round_off * before);
+  }
+}
+
+TEST(SetGeostatic, LeavesPointsAboveTheSurfaceAlone) {
+  const Column10 column;
+
+  for (Index p = 0; p < column.particles.size(); ++p) {
+    if (column.particles.position.component(0)[p] < Column10::surface) continue;
+    EXPECT_EQ(column.particles.density.component(0)[p], column.before.density.component(0)[p]);
+    EXPECT_EQ(column.particles.mass.component(0)[p], column.before.mass.component(0)[p]);
+  }
+}
+
+}  // namespace
+}  // namespace scree::mpm

@@ -1,0 +1,218 @@
+#include "bodies.hpp"
+#include "messages.hpp"
+#include "schemes.hpp"
+
+#include <scree/mpm/cell_sort.hpp>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace scree::mpm {
+namespace {
+
+constexpr Threads one_thread{1};
+constexpr Fluid mud{.bulk_modulus = 1e5, .reference_density = 1000, .viscosity = 2};
+
+template <class S>
+class EveryStep : public ::testing::Test {};
+TYPED_TEST_SUITE(EveryStep, EverySchemeList, SchemeName);
+
+TYPED_TEST(EveryStep, KeepsMomentumUnderItsOwnForces) {  // Eq. (M10): the forces on the nodes sum to zero
+  constexpr int D = TypeParam::D;
+  const auto grid = cube<D>(6, 0.1, true);
+  auto particles = scattered<D>(grid, 200 * D, 0);
+  fill_at_random(particles.velocity, 1.0);
+  const auto stages =
+      stages_of<D, D>(particles, typename TypeParam::ShapeType{}, typename TypeParam::Rule{}, mud);
+  auto state = start(std::move(particles), grid, stages, one_thread);
+  std::array<Momentum, D> before;
+  for (int i = 0; i < D; ++i) before[static_cast<std::size_t>(i)] = momentum_of(state.particles, i);
+
+  constexpr int num_steps = 50;
+  constexpr double dt = 1e-3;
+  for (int n = 0; n < num_steps; ++n) step(state, stages, dt, one_thread);
+
+  // Each step adds impulses dt V sigma/h of either sign, which cancel up to their rounding.
+  double impulse = 0;
+  for (Index p = 0; p < state.particles.size(); ++p) {
+    impulse += dt / 0.1 * state.particles.mass.component(0)[p] / 1000 * largest(state.particles.stress);
+  }
+  for (int i = 0; i < D; ++i) {
+    const Momentum& initial = before[static_cast<std::size_t>(i)];
+    const double rounding = rounding_of(D, TypeParam::ShapeType::support, num_steps);
+    EXPECT_NEAR(momentum_of(state.particles, i).total, initial.total, rounding * (initial.size + impulse));
+  }
+}
+
+TYPED_TEST(EveryStep, KeepsEveryMassExactly) {
+  constexpr int D = TypeParam::D;
+  const auto grid = cube<D>(6, 0.1, true);
+  auto particles = scattered<D>(grid, 60, 0);
+  fill_at_random(particles.velocity, 5.0);
+  const std::vector<double> masses{particles.mass.values().begin(), particles.mass.values().end()};
+  const auto stages = stages_of<D, D>(particles, typename TypeParam::ShapeType{}, typename TypeParam::Rule{});
+  auto state = start(std::move(particles), grid, stages, one_thread);
+
+  for (int n = 0; n < 100; ++n) step(state, stages, 1e-2, one_thread);
+
+  std::vector<double> left(masses.size(), 0);
+  for (Index p = 0; p < state.particles.size(); ++p) {
+    left[static_cast<std::size_t>(state.particles.id.component(0)[p])] +=
+        state.particles.mass.component(0)[p];
+  }
+  EXPECT_EQ(left, masses);
+}
+
+/// Thousands of points that cross cells and blocks of a periodic mesh.
+struct Stirred {
+  Stirred() {
+    auto particles = scattered<2>(grid, 4000, 0);
+    fill_at_random(particles.velocity, 1.0);
+    stages = stages_of<2, 2>(particles, Quadratic{}, Apic{}, mud);
+    state = std::make_unique<State<2, 2>>(start(std::move(particles), grid, stages, one_thread));
+  }
+  void advance(int num_steps, Threads threads) {
+    for (int n = 0; n < num_steps; ++n) step(*state, stages, 2e-3, threads);
+  }
+  CartesianGrid<2> grid = cube<2>(40, 0.1, true);
+  Stages<2, 2> stages;
+  std::unique_ptr<State<2, 2>> state;
+};
+
+void expect_same_bits(const Particles<2>& a, const Particles<2>& b) {
+  std::vector<const Column*> columns;
+  b.for_each_column([&](const Column& column) { columns.push_back(&column); });
+  std::size_t next = 0;
+  a.for_each_column([&](const Column& column) {
+    const Column& other = *columns[next++];
+    ASSERT_EQ(column.values().size(), other.values().size());
+    EXPECT_TRUE(std::equal(column.values().begin(), column.values().end(), other.values().begin()))
+        << column.quantity().name;
+  });
+}
+
+TEST(Step, GivesTheSameBitsForAnyNumberOfThreads) {
+  Stirred one;
+  one.advance(100, {1});
+  for (const int threads : {2, 3}) {
+    Stirred several;
+
+    several.advance(100, {threads});
+
+    expect_same_bits(one.state->particles, several.state->particles);
+    EXPECT_EQ(one.state->rates.advection_rate, several.state->rates.advection_rate);
+  }
+}
+
+TEST(Step, GoesOnFromStoredColumnsAndBlocksAsIfNeverStopped) {
+  Stirred whole;
+  whole.advance(30, one_thread);
+  State<2, 2> restarted{whole.state->particles, Nodes<2>{whole.grid, whole.stages.transfer->record()}};
+  restarted.blocks.blocks = whole.state->blocks.blocks;
+  colour_blocks(restarted.blocks, whole.grid);
+  restarted.block_results.resize(restarted.blocks.blocks.size());
+  restarted.mass_floor = whole.state->mass_floor;
+  restarted.needs_sort = false;
+
+  whole.advance(30, one_thread);
+  for (int n = 0; n < 30; ++n) step(restarted, whole.stages, 2e-3, one_thread);
+
+  expect_same_bits(whole.state->particles, restarted.particles);
+}
+
+TEST(Start, FindsWhatBoundsTheFirstStep) {
+  const auto grid = cube<2>(4, 0.1, true);
+  auto particles = filled<2>(grid, 2);
+  for (double& v : particles.velocity.values()) v = -3;
+  const auto stages = stages_of<2, 2>(particles, Linear{}, Apic{}, mud);
+
+  const auto state = start(std::move(particles), grid, stages, one_thread);
+
+  EXPECT_EQ(state.rates.wave_speed, 10);
+  EXPECT_EQ(state.rates.kinematic_viscosity, 2.0 / 1000);
+  EXPECT_NEAR(state.rates.advection_rate, 2 * 3 / 0.1, 60 * 4 * round_off);
+}
+
+TEST(Step, ReportsWhatBoundsTheNextOne) {
+  const auto grid = cube<2>(4, 0.1, true);
+  auto particles = filled<2>(grid, 2);
+  for (double& v : particles.velocity.values()) v = -3;
+  const auto stages = stages_of<2, 2>(particles, Linear{}, Apic{}, mud);
+  auto state = start(std::move(particles), grid, stages, one_thread);
+  const Rates first = state.rates;
+
+  step(state, stages, 1e-4, one_thread);
+
+  const double tolerance = rounding_of(2, 2, 1);
+  EXPECT_EQ(state.rates.wave_speed, first.wave_speed);
+  EXPECT_NEAR(state.rates.kinematic_viscosity, first.kinematic_viscosity, tolerance);
+  EXPECT_NEAR(state.rates.advection_rate, first.advection_rate, tolerance * first.advection_rate);
+}
+
+TEST(Start, RefusesARunWithoutPoints) {
+  const auto grid = cube<1>(4, 0.1, false);
+  Particles<1> none;
+  const auto stages = stages_of<1, 1>(none, Linear{}, Apic{});
+
+  EXPECT_EQ(
+      message_of<InputError>([&] { static_cast<void>(start(Particles<1>{}, grid, stages, one_thread)); }),
+      "a run needs at least one material point");
+}
+
+/// The message of a step of one point at 0.25 m that moves with `velocity`.
+std::string message_of_a_step(double velocity) {
+  const auto grid = cube<1>(4, 0.125, false);
+  Particles<1> particles;
+  particles.resize(1);
+  particles.id.component(0)[0] = 7;
+  particles.mass.component(0)[0] = 1;
+  particles.density.component(0)[0] = 1000;
+  particles.position.component(0)[0] = 0.25;
+  particles.velocity.component(0)[0] = velocity;
+  const auto stages = stages_of<1, 1>(particles, Quadratic{}, Apic{});
+  auto state = start(std::move(particles), grid, stages, one_thread);
+  return message_of<RunError>([&] { step(state, stages, 0.5, one_thread); });
+}
+
+TEST(Step, NamesAPointThatLeavesTheMesh) {
+  EXPECT_EQ(message_of_a_step(1), "material point 7 at (0.75) m is outside the mesh [0, 0.5] m");
+  EXPECT_EQ(message_of_a_step(-1), "material point 7 at (-0.25) m is outside the mesh [0, 0.5] m");
+}
+
+TEST(Step, NamesAPointWhoseMotionIsNotANumber) {
+  EXPECT_EQ(message_of_a_step(std::numeric_limits<double>::quiet_NaN()),
+            "material point 7 at (nan) m has no finite position");
+}
+
+TEST(AdvanceMomentum, LeavesNodesBelowTheFloorAtRest) {  // Eq. (M20)
+  Nodes<1> nodes{cube<1>(4, 0.1, false), {1, true}};
+  for (Index n = 0; n < 2; ++n) {
+    nodes[n][NodeRecord::mass] = n == 0 ? 1e-11 : 1e-9;
+    nodes[n][NodeRecord::momentum] = nodes[n][NodeRecord::mass];
+    nodes[n][nodes.record().increment()] = 1;  // [N]
+  }
+  const double gravity = -10;
+
+  advance_momentum(nodes, &gravity, 0.1, 1e-10, one_thread);
+
+  EXPECT_EQ(nodes[0][NodeRecord::momentum], 0);
+  EXPECT_EQ(nodes[0][nodes.record().increment()], 0);
+  EXPECT_NEAR(nodes[1][NodeRecord::momentum], 1 + 0.1 * (1e9 - 10), 4 * round_off * 1e8);
+}
+
+TEST(AdvanceMomentum, GivesTheVelocityAndItsIncrement) {  // Eq. (M11)
+  Nodes<1> nodes{cube<1>(4, 0.1, false), {1, true}};
+  nodes[2][NodeRecord::mass] = 2;
+  nodes[2][NodeRecord::momentum] = 6;
+  nodes[2][nodes.record().increment()] = 4;  // [N]
+  const double gravity = -10;
+
+  advance_momentum(nodes, &gravity, 0.5, 0, one_thread);
+
+  EXPECT_EQ(nodes[2][nodes.record().increment()], -4);  // 0.5 (4/2 - 10)
+  EXPECT_EQ(nodes[2][NodeRecord::momentum], -1);        // 6/2 - 4
+}
+
+}  // namespace
+}  // namespace scree::mpm

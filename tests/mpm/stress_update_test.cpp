@@ -1,0 +1,170 @@
+#include "bodies.hpp"
+#include "messages.hpp"
+
+#include <scree/mpm/stress_update.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace scree::mpm {
+namespace {
+
+/// Viscosity in proportion to the grain size, and a memory of how far it was sheared.
+struct Coarse {
+  static constexpr std::string_view name = "coarse";
+  template <class Real>
+  struct Input {
+    Real grain_size;
+  };
+  static constexpr std::array<std::string_view, 1> input_names{"grain_size"};
+  template <class Real>
+  struct State {
+    Real shear_strain;
+  };
+  static constexpr std::array<std::string_view, 1> state_names{"shear_strain"};
+
+  template <class Real>
+  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
+                                                   const Input<Real>& input, const State<Real>& old,
+                                                   Real dt) const noexcept {
+    const Real pressure = deformation.density - 1000;
+    const Tensor<Real> viscous =
+        2 * input.grain_size * deviator(symmetric_part(deformation.velocity_gradient));
+    return {viscous - isotropic(pressure),
+            {old.shear_strain + dt * shear_rate(deformation.velocity_gradient)}};
+  }
+  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
+                                    const Input<double>& input) const noexcept {
+    return {1, input.grain_size};
+  }
+};
+static_assert(ConstitutiveLaw<Coarse>);
+
+/// A law that never bears a pressure.
+struct Powder : Fluid {
+  static constexpr std::string_view name = "powder";
+};
+
+/// Some sheared, squeezed points of unlike grain size under `Coarse`.
+template <int D, int V>
+struct Sheared {
+  Sheared() {
+    particles.resize(8);
+    grain_size = particles.add_column({"grain_size", "s_a", "m"}, 1);
+    fill_at_random(particles.velocity_gradient, 2.0);
+    for (Index p = 0; p < 8; ++p) {
+      particles.mass.component(0)[p] = 1;
+      particles.density.component(0)[p] = 1000 + static_cast<double>(p);
+      particles.column(grain_size).component(0)[p] = 1 + static_cast<double>(p) / 8;
+    }
+  }
+  [[nodiscard]] ParticleBlock<D> all() const { return {{}, 0, 8}; }
+  Particles<D, V> particles;
+  std::size_t grain_size;
+};
+
+TEST(StressUpdate, NamesTheColumnThatALawMisses) {
+  Particles<2> particles;
+
+  EXPECT_EQ(message_of<InputError>([&] { StressUpdateBy<2, 2, Coarse>({}, particles); }),
+            "the law 'coarse' needs the column 'grain_size', which no part of this run provides");
+}
+
+TEST(StressUpdate, GivesALawWithMemoryItsColumn) {
+  Sheared<2, 2> sheared;
+  const StressUpdateBy<2, 2, Coarse> stress{{}, sheared.particles};
+
+  for (int n = 0; n < 2; ++n) stress.apply(sheared.particles, sheared.all(), 0.5);
+
+  const std::size_t strain = sheared.particles.find_column("shear_strain", "a test");
+  for (Index p = 0; p < 8; ++p) {
+    const double expected = shear_rate(velocity_gradient_of(sheared.particles, p));  // twice half a second
+    EXPECT_NEAR(sheared.particles.column(strain).component(0)[p], expected, 2 * round_off * expected);
+  }
+}
+
+TEST(StressUpdate, CostsNoColumnWithoutMemory) {
+  Particles<2> particles;
+  const std::size_t bare = particles.bytes_per_particle();
+
+  const StressUpdateBy<2, 2, Fluid> stress{dust, particles};
+
+  EXPECT_EQ(particles.bytes_per_particle(), bare);
+}
+
+TEST(StressUpdate, EmbedsAColumnUnderShearInPlaneStrain) {
+  Sheared<1, 2> column;
+  Sheared<2, 2> plane;
+  for (Index p = 0; p < 8; ++p) {
+    for (int i = 0; i < 2; ++i) {
+      plane.particles.velocity_gradient.component(i)[p] = column.particles.velocity_gradient.component(i)[p];
+      plane.particles.velocity_gradient.component(i + 2)[p] = 0;
+    }
+  }
+  const StressUpdateBy<1, 2, Coarse> of_column{{}, column.particles};
+  const StressUpdateBy<2, 2, Coarse> of_plane{{}, plane.particles};
+
+  of_column.apply(column.particles, column.all(), 0.1);
+  of_plane.apply(plane.particles, plane.all(), 0.1);
+
+  for (Index p = 0; p < 8; ++p) {
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_EQ(column.particles.stress.component(i)[p], plane.particles.stress.component(i)[p]);
+    }
+  }
+}
+
+TEST(StressUpdate, ReportsTheStiffestPoint) {
+  Sheared<2, 2> sheared;
+  const StressUpdateBy<2, 2, Coarse> stress{{}, sheared.particles};
+  double expected = 0;
+  for (Index p = 0; p < 8; ++p) {
+    expected = std::max(expected, sheared.particles.column(sheared.grain_size).component(0)[p] /
+                                      sheared.particles.density.component(0)[p]);
+  }
+
+  EXPECT_EQ(stress.apply(sheared.particles, sheared.all(), 0.1).kinematic_viscosity, expected);
+  EXPECT_EQ(stress.stiffness(sheared.particles).kinematic_viscosity, expected);
+  EXPECT_EQ(stress.stiffness(sheared.particles).wave_speed, 1);
+}
+
+TEST(StressUpdate, TellsThePressureAndChangesNothing) {
+  Sheared<2, 2> sheared;
+  const StressUpdateBy<2, 2, Coarse> stress{{}, sheared.particles};
+  std::vector<double> pressure(8);
+
+  stress.pressure(sheared.particles, pressure);
+
+  for (Index p = 0; p < 8; ++p) {
+    // The trace of the viscous part is zero up to roundings of its three components, of a few Pa.
+    EXPECT_NEAR(pressure[static_cast<std::size_t>(p)], static_cast<double>(p), 100 * round_off);
+  }
+  EXPECT_EQ(largest(sheared.particles.stress), 0);
+  EXPECT_EQ(largest(sheared.particles.column(sheared.particles.find_column("shear_strain", "a test"))), 0);
+}
+
+TEST(StressUpdate, FindsTheDensityThatBearsAPressure) {
+  Particles<1> particles;
+  particles.resize(1);
+  particles.density.component(0)[0] = 1000;
+  const StressUpdateBy<1, 1, Fluid> stress{{.bulk_modulus = 1e6, .reference_density = 1000, .viscosity = 0},
+                                           particles};
+
+  for (const double pressure : {0.0, 1.0, 1e4}) {
+    const double expected = 1000 * (1 + pressure / 1e6);
+    EXPECT_NEAR(stress.density_at(particles, 0, pressure), expected, 8 * round_off * expected);
+  }
+}
+
+TEST(StressUpdate, NamesTheLawThatCannotBearAPressure) {
+  Particles<1> particles;
+  particles.resize(1);
+  particles.density.component(0)[0] = 1000;
+  const StressUpdateBy<1, 1, Powder> stress{{dust}, particles};
+
+  EXPECT_EQ(message_of<RunError>([&] { static_cast<void>(stress.density_at(particles, 0, 10)); }),
+            "the law 'powder' has no density at which its pressure is 10.000000 Pa");
+}
+
+}  // namespace
+}  // namespace scree::mpm

@@ -1,0 +1,19 @@
+find_package(GTest REQUIRED)
+include(GoogleTest)
+
+# scree_tests(<name> SOURCES <files> LINK <targets> [LABEL <label>])
+#
+# One test program. Its tests are found when ctest runs; with LABEL verify they are left out of the
+# everyday run and belong to `./dev verify`.
+function(scree_tests name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;LINK")
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
+  target_compile_definitions(${name} PRIVATE SCREE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
+  scree_warnings(${name})
+  if(NOT arg_LABEL)
+    set(arg_LABEL fast)
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 1500)
+endfunction()

@@ -1,0 +1,100 @@
+#include "lists.hpp"
+
+#include <scree/transport/fluxes.hpp>
+#include <scree/transport/laws/advection.hpp>
+#include <scree/transport/laws/buckley_leverett.hpp>
+#include <scree/transport/laws/burgers.hpp>
+#include <scree/transport/laws/euler.hpp>
+
+#include <cmath>
+
+namespace scree::transport {
+namespace {
+
+template <class F>
+class EveryFlux : public ::testing::Test {};
+TYPED_TEST_SUITE(EveryFlux, test::Types<FluxList>);
+
+TYPED_TEST(EveryFlux, IsConsistent) {  // F(u, u) = f(u), Eq. (T3)
+  const Vector<1> normal{1.0};
+  for (const double u : {-0.7, 0.0, 0.3, 1.0}) {
+    EXPECT_DOUBLE_EQ(TypeParam{}(Burgers{}, {u}, {u}, normal).value[0], u * u / 2);
+  }
+  const Euler<1> gas;
+  const auto u = gas.state(1.2, Vector<1>{0.4}, 0.9);
+  EXPECT_EQ(TypeParam{}(gas, u, u, normal).value, gas.flux(u, normal));
+}
+
+TYPED_TEST(EveryFlux, TakesFromOneSideWhatItGivesTheOther) {
+  const Vector<2> normal{0.6, 0.8};
+  const Euler<2> gas;
+  const auto left = gas.state(1, Vector<2>{0.3, -0.2}, 1);
+  const auto right = gas.state(0.5, Vector<2>{-0.1, 0.4}, 0.3);
+
+  const auto forth = TypeParam{}(gas, left, right, normal);
+  const auto back = TypeParam{}(gas, right, left, Vector<2>{-normal});
+
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_DOUBLE_EQ(forth.value[k], -back.value[k]);
+}
+
+TYPED_TEST(EveryFlux, IsMonotone) {  // rises with the left state, falls with the right one
+  const Vector<1> normal{1.0};
+  const TypeParam flux{};
+  const auto value = [&](double left, double right) {
+    return flux(Burgers{}, {left}, {right}, normal).value[0];
+  };
+  for (double left = -1; left <= 1; left += 0.125) {
+    for (double right = -1; right <= 1; right += 0.125) {
+      const double step = 0.125;
+      EXPECT_GE(value(left + step, right), value(left, right) - 4 * round_off);
+      EXPECT_LE(value(left, right + step), value(left, right) + 4 * round_off);
+    }
+  }
+}
+
+TEST(KurganovTadmor, IsUpwindForAdvection) {
+  const Advection<2> law{Vector<2>{2, -1}};
+  EXPECT_DOUBLE_EQ(KurganovTadmor{}(law, {3}, {5}, Vector<2>{1, 0}).value[0], 6);
+  EXPECT_DOUBLE_EQ(KurganovTadmor{}(law, {3}, {5}, Vector<2>{0, 1}).value[0], -5);
+}
+
+TEST(BuckleyLeverett, BoundsTheSpeedOverTheWholeInterval) {
+  const Vector<1> normal{1.0};
+  for (const double ratio : {0.25, 1.0, 5.0}) {
+    const BuckleyLeverett law{ratio};
+    for (double low = 0; low < 1; low += 0.1) {
+      for (double high = low; high <= 1; high += 0.1) {
+        const double bound = law.max_speed({low}, {high}, normal);
+        double steepest = 0;
+        const double du = 1e-5;
+        for (double u = low; u + du <= high; u += 1e-3) {
+          const double slope = (law.flux({u + du}, normal)[0] - law.flux({u}, normal)[0]) / du;
+          steepest = std::max(steepest, slope);
+        }
+        EXPECT_GE(bound, steepest * (1 - 1e-9));  // difference quotients: round-off/du
+        EXPECT_LE(bound, std::max({steepest, law.max_speed({low}, {low}, normal),
+                                   law.max_speed({high}, {high}, normal)}) *
+                                 (1 + 1e-3) +
+                             1e-3);  // the sampling's step, f'' < 20: not much more than needed
+      }
+    }
+  }
+}
+
+TEST(Euler, SpeedBoundsTheEigenvalues) {  // v - c, v, v + c
+  const Euler<2> gas{1.4};
+  const auto slow = gas.state(1, Vector<2>{0.1, 5}, 1);
+  const auto fast = gas.state(0.25, Vector<2>{-3, 0}, 1);
+  EXPECT_DOUBLE_EQ(gas.max_speed(slow, fast, Vector<2>{1, 0}), 3 + std::sqrt(1.4 / 0.25));
+  EXPECT_DOUBLE_EQ(gas.max_speed(slow, fast, Vector<2>{0, -1}), 5 + std::sqrt(1.4));
+}
+
+TEST(Larger, DoesNotHideNaN) {
+  const double nan = std::nan("");
+  EXPECT_TRUE(std::isnan(larger(nan, 1)));
+  EXPECT_TRUE(std::isnan(larger(1, nan)));
+  EXPECT_EQ(larger(1, 2), 2);
+}
+
+}  // namespace
+}  // namespace scree::transport
