@@ -16,6 +16,7 @@ from incline_table import write_table
 SHAPES = ("linear", "quadratic")
 TRANSFERS = ("apic", "pic_flip")
 CONTROL_VOLUMES = ("cells", "nodes")
+FINE_LIMIT = 600  # [s], several times what a run with 204 cells takes
 
 
 def cases_of(fine: bool, plane: bool) -> list[Case]:
@@ -30,10 +31,13 @@ def read_arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--scree", type=Path, required=True, help="the program")
     parser.add_argument("--output", type=Path, default=Path("out/charts"), help="directory of the results")
-    parser.add_argument("--cpu-limit", type=int, default=120, help="seconds after which a run counts as failed")
-    parser.add_argument("--fine", action="store_true", help="204 cells too: an hour")
+    parser.add_argument("--cpu-limit", type=int, default=60, help="CPU seconds of one run, beyond which it failed")
+    parser.add_argument("--fine", action="store_true", help="204 cells too: an hour, with --cpu-limit 600")
     parser.add_argument("--plane", action="store_true", help="the two-dimensional scene too: minutes")
-    return parser.parse_args()
+    arguments = parser.parse_args()
+    if arguments.fine and arguments.cpu_limit < FINE_LIMIT:
+        parser.error(f"--fine needs --cpu-limit {FINE_LIMIT} or more")
+    return arguments
 
 
 def main() -> None:

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from incline_runs import Case, Result
-from picture import save, spread
+from picture import save, spread  # beside the plotting script, which incline_runs makes known
 
 SIZE = (18, 11)  # [inch]
 TITLES = {
@@ -24,6 +24,7 @@ COLOURS = {  # by shape and transfer; dark enough for white paper, of different 
     ("quadratic", "pic_flip"): "#d07a1e",
 }
 LINES = {"cells": "-", "nodes": ":"}
+EXPLANATION = "solid: control volumes are cells; dotted: nodes; grey: no other run is both cheaper and more accurate"
 LABEL_FONT = 12
 LABEL_HEIGHT = 0.042  # [-], of a panel
 LABEL_ROOM = 12  # factor by which the axis of cost goes on beyond the last point
@@ -60,6 +61,7 @@ def draw_chart(results: Sequence[Result], stem: Path) -> list[Path]:
         _name_failures(axes, _of_variant(results, variant))
     for axes in panels[1]:
         axes.set_xlabel("CPU time [s]")
+    figure.supxlabel(EXPLANATION, fontsize=LABEL_FONT + 2, color="0.35")
     costs = [result.cpu_seconds for result in results if np.isfinite(result.size_error)]
     panels[0, 0].set_xlim(0.7 * min(costs), LABEL_ROOM * max(costs))
     return save(figure, stem)
@@ -120,6 +122,8 @@ def _draw_front(axes: Axes, results: Sequence[Result], measure: Measure) -> None
 
 def _label_lines(axes: Axes, lines: Sequence[Line]) -> None:
     """Names the lines at their right ends."""
+    if not lines:
+        return
     low, high = np.log10(axes.get_ylim())
     margin = LABEL_HEIGHT * (high - low)
     ends = [np.log10(errors[-1]) for _, _, errors in lines]

@@ -1,5 +1,6 @@
 """The results of the inclined-plane runs as a Markdown table."""
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -18,15 +19,13 @@ def write_table(results: Sequence[Result], path: Path) -> None:
 
 def _row(result: Result) -> str:
     case = result.case
-    cells = (
-        case.variant,
-        case.dimensions,
-        case.shape,
-        case.transfer,
-        case.control_volumes,
-        case.cells,
-        f"{result.size_error:.2g}",
-        f"{result.velocity_error:.2g}",
-        f"{result.cpu_seconds:.2g}" if result.cpu_seconds < 10 else f"{result.cpu_seconds:.0f}",
-    )
-    return f"| {' | '.join(map(str, cells))} |\n"
+    case_cells = (case.variant, case.dimensions, case.shape, case.transfer, case.control_volumes, case.cells)
+    if math.isfinite(result.size_error):
+        errors = (f"{result.size_error:.2g}", f"{result.velocity_error:.2g}")
+    else:
+        errors = ("failed", "failed")
+    return f"| {' | '.join(map(str, (*case_cells, *errors, _seconds(result.cpu_seconds))))} |\n"
+
+
+def _seconds(seconds: float) -> str:
+    return f"{seconds:.2g}" if seconds < 10 else f"{seconds:.0f}"

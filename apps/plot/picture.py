@@ -54,7 +54,9 @@ def spread(places: Sequence[float], distance: float, low: float, high: float) ->
     return result
 
 
-def label_above(axes: Axes, places: Sequence[float], tops: Sequence[float], labels: Sequence[str], colours: np.ndarray) -> None:
+def label_above(
+    axes: Axes, places: Sequence[float], tops: Sequence[float], labels: Sequence[str], colours: np.ndarray
+) -> None:
     """Names curves above the axes, where each one ends at (place, top), with a thin line from the label down."""
     low, high = axes.get_xlim()
     distance = CHARACTER_WIDTH * max(map(len, labels)) * (high - low)

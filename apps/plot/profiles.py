@@ -80,7 +80,8 @@ def _draw_references(axes: Axes, references: Sequence[ReferenceProfile], quantit
     if not quantity.reference:
         return
     for profile in references:
-        axes.plot(getattr(profile, quantity.reference), profile.y, color="black", linewidth=1.2, linestyle=(0, (5, 4)))
+        values = getattr(profile, quantity.reference)
+        axes.plot(values, profile.y, color="black", linewidth=1.2, linestyle=(0, (5, 4)))
 
 
 def _show_all_sizes(axes: Axes, run: Run) -> None:

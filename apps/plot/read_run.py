@@ -25,7 +25,7 @@ class Run:
     """A finished or interrupted run: its scene, and its frames in the order of time."""
 
     def __init__(self, directory: Path) -> None:
-        """Opens a run; raises RunError if there is none, or if it has fewer than two frames."""
+        """Opens a run; raises RunError if there is none, or if it lacks frames."""
         self.directory = directory
         for name in ("run.h5", "scene.toml"):
             if not (directory / name).is_file():
@@ -36,7 +36,10 @@ class Run:
         self._names = sorted(self._frames)
         if len(self._names) < 2:
             raise RunError(f"{directory}: holds fewer than two frames: nothing to draw yet")
-        self.times = np.array([self._frames[name].attrs["time"] for name in self._names])
+        try:
+            self.times = np.array([self._frames[name].attrs["time"] for name in self._names])  # [s]
+        except KeyError as missing:
+            raise RunError(f"{directory}: cannot read a frame that run.h5 names: {missing.args[0]}") from missing
 
     @property
     def num_frames(self) -> int:

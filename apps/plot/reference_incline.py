@@ -36,21 +36,28 @@ def read_reference(variant: str) -> list[ReferenceProfile]:
     return profiles
 
 
+NEWTONIAN = {"law": "newtonian", "viscosity": 750}
+SIZE_DEPENDENT = {"law": "size_dependent_newtonian", "viscosity_per_size": 1e6}
+VARIANTS = {  # what each variant has in [rheology] and in [segregation]
+    "A": (NEWTONIAN, {"closure": "shear_rate", "remixing": 0}),
+    "B": (SIZE_DEPENDENT, {"closure": "size_weighted_shear_rate", "reference_size": 0.75e-3, "remixing": 0}),
+    "D": (SIZE_DEPENDENT, {"closure": "shear_rate", "remixing": 0.03}),
+}
+
+
 def variant_of(scene: dict[str, Any]) -> str | None:
     """The variant that a scene solves; None if the table has no solution of it."""
     if not _is_the_incline(scene):
         return None
-    law = scene["rheology"].get("law")
-    segregation = scene["segregation"]
-    key = (segregation.get("closure"), law, segregation.get("remixing", 0))
-    size_viscosity = scene["rheology"].get("viscosity_per_size")
-    if key == ("shear_rate", "newtonian", 0) and scene["rheology"].get("viscosity") == 750:
-        return "A"
-    if law != "size_dependent_newtonian" or size_viscosity != 1e6:
-        return None
-    if key[0] == "size_weighted_shear_rate" and key[2] == 0 and segregation.get("reference_size") == 0.75e-3:
-        return "B"
-    return "D" if key[0] == "shear_rate" and key[2] == 0.03 else None
+    segregation = {"remixing": 0} | scene["segregation"]
+    for variant, (law, closure) in VARIANTS.items():
+        if _has(scene["rheology"], law) and _has(segregation, closure):
+            return variant
+    return None
+
+
+def _has(table: dict[str, Any], wanted: dict[str, Any]) -> bool:
+    return all(table.get(key) == value for key, value in wanted.items())
 
 
 def _is_the_incline(scene: dict[str, Any]) -> bool:
@@ -58,6 +65,7 @@ def _is_the_incline(scene: dict[str, Any]) -> bool:
     try:
         return (
             depth_range(scene) == (0, 1)
+            and scene["boundaries"]["y_low"] == "no_slip"
             and scene["gravity"] == {"magnitude": 9.81, "slope_degrees": 18}
             and scene["rheology"]["density"] == 1000
             and scene["grains"]["diameters"] == [0.5e-3, 1e-3]

@@ -1,5 +1,7 @@
 #include "scree/coupling.hpp"
 
+#include <scree/io/bounds.hpp>
+
 #include "scree/dimensions.hpp"
 
 #include <algorithm>
@@ -114,11 +116,21 @@ void Coupling<D, V>::to_sites(const mpm::State<D, V>& state, const mpm::Column& 
 }
 
 template <int D, int V>
+void Coupling<D, V>::require_few_substeps(double dt) {
+  constexpr double most = 1e5;  // [-], many times what any flow needs whose velocities make sense
+  const double stable = segregation_.stable_time_step(masses_, drive_, old_fractions_);
+  if (dt <= most * stable) return;
+  throw RunError{"segregation is so fast that its stable step has fallen to " + io::to_text(stable) +
+                 " s: the run has become unstable; use a smaller share of the limits ([numerics])"};
+}
+
+template <int D, int V>
 grainsize::SegregationReport Coupling<D, V>::advance(mpm::State<D, V>& state, double dt) {
   mpm::Particles<D, V>& particles = state.particles;
   mpm::Column& fractions = particles.column(particles.find_column(fraction_column, "segregation"));
   drive_of_points(particles);
   to_sites(state, fractions);
+  require_few_substeps(dt);
   new_fractions_ = old_fractions_;
   const auto report = segregation_.advance(masses_, drive_, new_fractions_, dt);
   cells_.to_points(state.blocks, particles, fractions, old_fractions_, new_fractions_, map_, threads_);

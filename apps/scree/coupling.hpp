@@ -47,11 +47,12 @@ class Coupling {
   Coupling(const SegregationScene& scene, const grainsize::SizeClasses& classes, const CartesianGrid<D>& grid,
            const mpm::AnyShape& shape, const Vector<D>& gravity_direction, Threads threads);
 
-  /// Lets the grains of all points segregate over dt [s].
+  /// Lets the grains of all points segregate over dt [s].  @throws RunError if they are absurdly fast.
   grainsize::SegregationReport advance(mpm::State<D, V>& state, double dt);
 
  private:
   void drive_of_points(const mpm::Particles<D, V>& particles);
+  void require_few_substeps(double dt);
   void to_sites(const mpm::State<D, V>& state, const mpm::Column& fractions);
 
   grainsize::SizeClasses classes_;

@@ -14,8 +14,8 @@ namespace scree::io {
 /// A frame is a file of its own, `frames/000123.h5`, moved to its name when it is whole; `run.h5` holds one
 /// external link per frame, /frames/000123, and `run.xdmf` describes them to viewers. These two are replaced
 /// whole after each frame. (A cut of power may cost the frames of the last minute; a checkpoint it cannot.)
-/// In a frame, /\<name\> is one dataset with the attributes `symbol`, `unit` and `kind`; `time` [s] and `step`
-/// are attributes of the group.
+/// In a frame, /\<name\> is one dataset with the attributes `symbol`, `unit` and `kind`; `time` [s] and
+/// `step` are attributes of the group.
 class FrameWriter {
  public:
   /// Starts an output directory, made if needed. Frames of an older run in it are removed.

@@ -18,8 +18,9 @@ struct StepBounds {
 
 /// du/dt of a conservation law on a lattice: the right-hand side for any integrator.  Eqs. (T2), (T10)
 ///
-/// Owns its work space, so that a call allocates nothing. Slabs of layers along the last axis run on
-/// threads (1D: one), with the same bits for any number of them.
+/// The loops over sites are headers: compiled with -O3 -fno-trapping-math (and -fno-math-errno for laws that
+/// take roots) they run on whole vectors. Owns its work space, so that a call allocates nothing. Slabs of
+/// layers along the last axis run on threads (1D: one), with the same bits for any number of them.
 template <LatticeGrid Grid, class Law, class Reconstruct, class Flux>
 class SemiDiscrete {
  public:

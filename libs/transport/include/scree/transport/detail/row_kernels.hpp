@@ -88,7 +88,6 @@ template <class Grid, class Law, class Flux, int N>
   using Out = FluxTile<N>;
   const Vector<Grid::dimension> normal = Vector<Grid::dimension>::Unit(row.axis);
   const double per_distance = 1 / row.distance;
-  const Law law_here = law;  // a copy that no store can change
   const Index stride = fields.stride();
   const double* u = fields.data();
 #pragma GCC ivdep
@@ -105,7 +104,7 @@ template <class Grid, class Law, class Flux, int N>
       site_left[k] = u[static_cast<Index>(k) * stride + owner];
       site_right[k] = u[static_cast<Index>(k) * stride + neighbour];
     });
-    const auto& point_law = law_at(law_here, Face{owner, neighbour, row.axis, row.distance});
+    const auto& point_law = law_at(law, Face{owner, neighbour, row.axis, row.distance});
     FaceFlux<State> face = numerical_flux(point_law, edge_left, edge_right, normal);
     const double diffusion = add_diffusion(point_law, site_left, site_right, per_distance, face.value);
     const double density = std::min(grid.density(owner), grid.density(neighbour));
