@@ -3,8 +3,9 @@ include(GoogleTest)
 
 # scree_tests(<name> SOURCES <files> LINK <targets> [LABEL <label>])
 #
-# One test program. Its tests are found when ctest runs; with LABEL verify they are left out of the
-# everyday run and belong to `./dev verify`.
+# One test program. Its tests are labelled fast: they run every day, and under the sanitizers. LABEL flow is for
+# those that compute whole flows and run every day in the optimised build only, LABEL verify for those of many
+# minutes, which belong to `./dev verify`.
 function(scree_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;LINK")
   add_executable(${name} ${arg_SOURCES})

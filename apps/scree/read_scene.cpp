@@ -182,7 +182,7 @@ template <class Maker>
   const double low = table.number("diameter_min", "lower cut of the sizes [m]", above(0));
   const double high = table.number("diameter_max", "upper cut of the sizes [m]", above(0));
   const auto num_classes =
-      static_cast<std::size_t>(table.integer("num_classes", "number of classes", between(1, 32)));
+      static_cast<std::size_t>(table.integer("num_classes", "number of classes", between(1, 16)));
   if (kind == "log_normal") {
     const double median = table.number("median", "median size by volume [m]", above(0));
     const double spread = table.number("spread", "standard deviation of ln(size) [-]", above(0));

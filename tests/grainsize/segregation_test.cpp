@@ -296,8 +296,8 @@ TEST(Segregation, RefusesOptionsThatCannotBe) {
   EXPECT_EQ(fault({.closure = Gravity{1}}, Vector<2>{0, -9.81}),
             "Segregation: the direction of gravity has the length 9.81, but must be a unit vector or zero");
   EXPECT_EQ(
-      message_of([&] { Segregation<2>(sizes(33), {.closure = ShearRate{1}}, square(4), none, Threads{1}); }),
-      "Segregation: there are 33 size classes, but at most 32 are possible");
+      message_of([&] { Segregation<2>(sizes(17), {.closure = ShearRate{1}}, square(4), none, Threads{1}); }),
+      "Segregation: there are 17 size classes, but at most 16 are possible");
 }
 
 TEST(Segregation, RefusesArraysThatDoNotFit) {

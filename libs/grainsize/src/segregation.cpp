@@ -55,8 +55,7 @@ std::unique_ptr<detail::SegregationStepper<D>> choose_stepper(const detail::Step
   if (num_classes <= 2) return detail::make_stepper<D, 2>(parts);
   if (num_classes <= 4) return detail::make_stepper<D, 4>(parts);
   if (num_classes <= 8) return detail::make_stepper<D, 8>(parts);
-  if (num_classes <= 16) return detail::make_stepper<D, 16>(parts);
-  return detail::make_stepper<D, 32>(parts);
+  return detail::make_stepper<D, 16>(parts);
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ template <int D>
 class Segregation {
  public:
   /// Most size classes that a mixture may have.
-  static constexpr std::size_t max_num_classes = 32;
+  static constexpr std::size_t max_num_classes = 16;
 
   /// @param gravity_direction unit vector, or zero where there is none
   /// @throws InputError for more than max_num_classes classes, remixing < 0, a CFL number outside (0, 1/2], a

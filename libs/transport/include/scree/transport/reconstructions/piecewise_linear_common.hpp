@@ -33,8 +33,9 @@ struct PiecewiseLinearCommon {
                                         const State& above) const noexcept {
     constexpr int num_components = static_cast<int>(std::tuple_size_v<State>);
     Ratio alpha{1, 1};
-    for_each_component<num_components>(
-        [&](std::size_t k) { alpha = smaller(alpha, allowed(below[k], here[k], above[k])); });
+    for_each_component<num_components>([&](std::size_t k) {
+      alpha = smaller(alpha, here[k] - below[k], above[k] - here[k], noise_of(here[k]));
+    });
     const double quarter = 0.25 * (alpha.numerator / alpha.denominator);
     Edges<State> edges;
     for_each_component<num_components>([&](std::size_t k) {
@@ -55,23 +56,21 @@ struct PiecewiseLinearCommon {
     double denominator;
   };
 
-  /// The smaller of two ratios of numbers that are not negative; the first one if the other is 0/0.
-  [[nodiscard]] static Ratio smaller(const Ratio& a, const Ratio& b) noexcept {
-    const bool is_b = b.numerator * a.denominator < a.numerator * b.denominator;
-    return {is_b ? b.numerator : a.numerator, is_b ? b.denominator : a.denominator};
+  /// Differences of a component that are rounding only.
+  [[nodiscard]] double noise_of(double here) const noexcept {
+    return 4 * round_off * std::max(std::abs(here), scale);
   }
 
-  /// The part of the central difference that the limiter allows one component. One that varies by no more
-  /// than its rounding asks for nothing: its noise must not flatten the others.
-  [[nodiscard]] Ratio allowed(double below, double here, double above) const noexcept {
-    constexpr double noise = 4 * round_off;
-    const double backward = here - below;
-    const double forward = above - here;
+  /// The smaller of `alpha` and the part of the central difference that the limiter allows a component. One
+  /// that varies by no more than its noise asks for nothing: it must not flatten the others.
+  [[nodiscard]] Ratio smaller(const Ratio& alpha, double backward, double forward,
+                              double noise) const noexcept {
     const double central = std::abs(0.5 * (backward + forward));
     const double limited = std::abs(limiter(backward, forward));
-    const bool is_noise =
-        std::max(std::abs(backward), std::abs(forward)) <= noise * std::max(std::abs(here), scale);
-    return {is_noise ? central : limited, central};
+    const bool is_signal = std::max(std::abs(backward), std::abs(forward)) > noise;
+    const bool is_smaller = limited * alpha.denominator < alpha.numerator * central;
+    const bool is_taken = is_signal & is_smaller;
+    return {is_taken ? limited : alpha.numerator, is_taken ? central : alpha.denominator};
   }
 };
 template <Limiter L>
