@@ -1,8 +1,8 @@
 #include "scree/coupling.hpp"
 
-#include <scree/io/bounds.hpp>
-
 #include "scree/dimensions.hpp"
+
+#include <scree/io/bounds.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -14,9 +14,7 @@ class InclinedPlaneConvergence : public ::testing::TestWithParam<char> {};
 TEST_P(InclinedPlaneConvergence, ErrorFallsBy1Point7PerDoublingTo204Cells) {
   std::vector<double> errors;
   for (const char* cells : {"51", "102", "204"}) {
-    Simulation<1, 2> column{
-        scene_of(column_scene(GetParam()), {std::string{"mesh.cells="} + cells}),
-        {1}};
+    Simulation<1, 2> column{scene_of(column_scene(GetParam()), {std::string{"mesh.cells="} + cells}), {1}};
     errors.push_back(errors_of(column, GetParam()).mean_size());
   }
 

@@ -92,7 +92,7 @@ void segregation_rates(benchmark::State& state) {
   Fields<N> result{lattice.num_sites()};
   fields.gather(phi, {});
 
-  for (auto _ : state) benchmark::DoNotOptimize(rates(fields, result));
+  while (state.KeepRunning()) benchmark::DoNotOptimize(rates(fields, result));
 
   state.SetItemsProcessed(state.iterations() * static_cast<Index>(num_sites) * N);
 }
@@ -112,7 +112,7 @@ void advection_step(benchmark::State& state) {
   const double duration = 7.999 * solver.stable_time_step(u);  // eight steps
 
   int steps = 0;
-  for (auto _ : state) steps += solver.advance(u, duration).substeps;
+  while (state.KeepRunning()) steps += solver.advance(u, duration).substeps;
 
   state.SetItemsProcessed(steps * lattice.num_sites());
 }
@@ -133,7 +133,7 @@ void euler_step(benchmark::State& state) {
   const double duration = 7.5 * solver.stable_time_step(u);  // eight steps
 
   int steps = 0;
-  for (auto _ : state) steps += solver.advance(u, duration).substeps;
+  while (state.KeepRunning()) steps += solver.advance(u, duration).substeps;
 
   state.SetItemsProcessed(steps * lattice.num_sites());
 }

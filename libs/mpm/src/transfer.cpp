@@ -285,6 +285,7 @@ std::unique_ptr<Transfer<D, V>> make_transfer(const AnyShape& shape, const AnyTr
       shape, rule);
 }
 
+// NOLINTNEXTLINE(bugprone-macro-parentheses): D and V are template arguments
 #define SCREE_INSTANCE(D, V) \
   template std::unique_ptr<Transfer<D, V>> make_transfer<D, V>(const AnyShape&, const AnyTransfer&);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)

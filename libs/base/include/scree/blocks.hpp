@@ -28,9 +28,10 @@ void for_each_block(Index num_blocks, Threads threads, Body&& body) {
     for (Index block = 0; block < num_blocks; ++block) body(block);
     return;
   }
-  detail::run_blocks(num_blocks, threads, std::addressof(body), [](void* context, Index block) {
-    (*static_cast<std::remove_reference_t<Body>*>(context))(block);
-  });
+  using Callable = std::remove_cvref_t<Body>;
+  detail::run_blocks(
+      num_blocks, threads, const_cast<Callable*>(std::addressof(body)),
+      [](void* context, Index block) { (*static_cast<std::remove_reference_t<Body>*>(context))(block); });
 }
 
 /// The sum of `terms`, always in their order, so that it has the same bits however they were made.
