@@ -126,7 +126,7 @@ void expect_mass_and_bounds_kept(const Lattice<D>& lattice, std::size_t num_clas
 }
 
 TEST(Segregation, KeepsClassMassesBoundsAndEmptySites) {  // Eq. (M1), partly filled, every instance
-  for (const std::size_t num_classes : {2U, 3U, 5U, 8U, 12U, 20U}) {
+  for (const std::size_t num_classes : {2U, 3U, 5U, 8U, 12U, 16U}) {
     expect_mass_and_bounds_kept(square(8), num_classes, ShearRate{0.01});
     expect_mass_and_bounds_kept(square(8, Sites::nodes), num_classes, ShearRate{0.01});
     expect_mass_and_bounds_kept(cube(), num_classes, ShearRate{0.01});
