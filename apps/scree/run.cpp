@@ -27,6 +27,7 @@ class RunOnDisk {
         scene_text_{scene.text},
         simulation_{scene.scene, options.threads},
         frames_{open_frames()},
+        num_points_{static_cast<double>(simulation_.num_points())},
         first_step_{simulation_.clock.step},
         progress_{options.is_quiet, simulation_.clock.time} {
     io::replace_file(options.directory / "scene.toml", scene.text);
@@ -72,8 +73,7 @@ class RunOnDisk {
 
   [[nodiscard]] Standing standing() const {
     return {simulation_.clock.time, simulation_.scene().end, simulation_.next_step(),
-            static_cast<double>(simulation_.num_points()) *
-                static_cast<double>(simulation_.clock.step - first_step_)};
+            num_points_ * static_cast<double>(simulation_.clock.step - first_step_)};
   }
 
   void finish(Outcome outcome) {
@@ -99,6 +99,7 @@ class RunOnDisk {
   std::string scene_text_;
   Simulation<D, V> simulation_;
   io::FrameWriter frames_;
+  double num_points_;
   std::int64_t first_step_;
   Progress progress_;
   double next_checkpoint_ = 0;  // [s]
