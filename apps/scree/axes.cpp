@@ -19,6 +19,7 @@ int flow_component(int dimensions, int velocity_components) {
 std::vector<std::string_view> axis_names(int dimensions) {
   constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
   std::vector<std::string_view> result;
+  result.reserve(static_cast<std::size_t>(dimensions));
   for (int d = 0; d < dimensions; ++d) {
     result.push_back(
         names[static_cast<std::size_t>(axes_of_components(dimensions)[static_cast<std::size_t>(d)])]);

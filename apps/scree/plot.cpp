@@ -4,12 +4,11 @@
 
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstring>
 #include <string>
-
-extern char** environ;
 
 namespace scree::app {
 

@@ -285,10 +285,11 @@ std::unique_ptr<Transfer<D, V>> make_transfer(const AnyShape& shape, const AnyTr
       shape, rule);
 }
 
-// NOLINTNEXTLINE(bugprone-macro-parentheses): D and V are template arguments
+// NOLINTBEGIN(bugprone-macro-parentheses): D and V are template arguments
 #define SCREE_INSTANCE(D, V) \
   template std::unique_ptr<Transfer<D, V>> make_transfer<D, V>(const AnyShape&, const AnyTransfer&);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace scree::mpm
