@@ -92,7 +92,7 @@ void segregation_rates(benchmark::State& state) {
   Fields<N> result{lattice.num_sites()};
   fields.gather(phi, {});
 
-  while (state.KeepRunning()) benchmark::DoNotOptimize(rates(fields, result));
+  while (state.KeepRunning()) benchmark::DoNotOptimize(rates(fields, result, 0));
 
   state.SetItemsProcessed(state.iterations() * static_cast<Index>(num_sites) * N);
 }

@@ -18,7 +18,8 @@ double mass(const std::vector<double>& u, double dx) {
 
 template <class B>
 class EveryBoundary : public ::testing::Test {};
-TYPED_TEST_SUITE(EveryBoundary, test::Types<BoundaryList<1>>);
+using Boundaries = test::Types<BoundaryList<1, 1>>;
+TYPED_TEST_SUITE(EveryBoundary, Boundaries);
 
 TYPED_TEST(EveryBoundary, ClosesTheBudget) {  // what is missing went out through the ends, to round-off
   const Lattice<1> lattice = test::line(50, 0, 1, false);
@@ -31,10 +32,12 @@ TYPED_TEST(EveryBoundary, ClosesTheBudget) {  // what is missing went out throug
   Fields<1> result{50};
   fields.gather(u, {});
 
-  rates(fields, result);
+  rates(fields, result, 0);
 
   const auto out = [&](double inside, double sign) {
-    return boundary.flux(KurganovTadmor{}, law, {inside}, Vector<1>{sign}).value[0];
+    return boundary
+        .flux(KurganovTadmor{}, law, {inside}, BoundaryFace<1>{Vector<1>{0.5 + sign / 2}, Vector<1>{sign}, 0})
+        .value[0];
   };
   double sum = 0;
   for (const double rate : result.all()) sum += lattice.spacing[0] * rate;
@@ -80,6 +83,43 @@ TEST(Prescribed, SendsItsStateIn) {
   EXPECT_NEAR(mass(u, lattice.spacing[0]), 0.7 * 0.5, 1e-12);  // nothing has left yet but the tail
   solver.advance(u, 2.5);
   for (const double value : u) EXPECT_NEAR(value, 0.7, 1e-10);
+}
+
+TEST(UserGiven, SendsInWhatItsFunctionSaysAtTheTimeOfEachStage) {  // advection of sin(t) from x = 0
+  const auto error = [](Index n, double start) {
+    const Lattice<1> lattice = test::line(n, 0, 1, false);
+    const auto exact = [&](double time) {
+      return test::averages(lattice, [&](double x) { return std::cos(time - x); });  // of sin(time - x)
+    };
+    auto u = exact(start);
+    const UserGiven<1, 1> inflow{[](const std::array<double, 1>& /*inside*/, const BoundaryFace<1>& face) {
+      return std::array<double, 1>{std::sin(face.time - face.centre[0])};
+    }};
+    Solver solver{Cartesian<1>{lattice},
+                  Advection<1>{Vector<1>{1.0}},
+                  PiecewiseLinear{test::Centred{}},
+                  SspRk2{},
+                  {.cfl = 0.4, .boundaries = {{{inflow, Outflow{}}}}, .start_time = start}};
+    solver.advance(u, 0.5);
+    solver.advance(u, 0.5);
+    EXPECT_DOUBLE_EQ(solver.time(), start + 1);
+    return test::l1(u, exact(start + 1), lattice.spacing[0]);
+  };
+  // Second order inside; the first cell has no slope: one order less there, in one cell, so two in L1.
+  EXPECT_GE(std::log2(error(100, 3) / error(200, 3)), 1.85);
+}
+
+TEST(UserGiven, IsAnOpenEndUntilItIsGiven) {
+  const std::array<double, 1> inside{0.4};
+  const BoundaryFace<1> face{Vector<1>{1.0}, Vector<1>{1.0}, 0};
+  const UserGiven<1, 1> boundary;
+  EXPECT_EQ(boundary.flux(KurganovTadmor{}, Burgers{}, inside, face).value,
+            Outflow{}.flux(KurganovTadmor{}, Burgers{}, inside, face).value);
+}
+
+TEST(Reflecting, ClosesForALawWithoutAMirrorImage) {
+  const BoundaryFace<1> face{Vector<1>{1.0}, Vector<1>{1.0}, 0};
+  EXPECT_EQ(Reflecting{}.flux(KurganovTadmor{}, Burgers{}, {0.4}, face).value[0], 0);
 }
 
 TEST(Periodicity, IsAPropertyOfTheLattice) {  // a shift by any number of cells changes nothing

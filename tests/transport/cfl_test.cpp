@@ -31,10 +31,10 @@ Variation run(std::vector<double> u, const Law& law, const R& reconstruction, st
   for (int step = 0; step < steps; ++step) {
     const double before = test::total_variation(u);
     start.gather(u, {});
-    const double dt = cfl / rates(start, rate).limit;
+    const double dt = cfl / rates(start, rate, 0).limit;
     stage = start;
     for (const double weight : kept) {
-      rates(stage, rate);
+      rates(stage, rate, 0);
       for (std::size_t i = 0; i < u.size(); ++i) {
         stage.all()[i] = weight * start.all()[i] + (1 - weight) * (stage.all()[i] + dt * rate.all()[i]);
       }

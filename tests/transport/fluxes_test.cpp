@@ -60,6 +60,32 @@ TEST(KurganovTadmor, IsUpwindForAdvection) {
   EXPECT_DOUBLE_EQ(KurganovTadmor{}(law, {3}, {5}, Vector<2>{0, 1}).value[0], -5);
 }
 
+TEST(KurganovNoellePetrova, IsUpwindWhereAllWavesGoOneWay) {  // Eq. (T16)
+  const Vector<1> normal{1.0};
+  EXPECT_DOUBLE_EQ(KurganovNoellePetrova{}(Burgers{}, {1.0}, {2.0}, normal).value[0], 0.5);
+  EXPECT_DOUBLE_EQ(KurganovNoellePetrova{}(Burgers{}, {-2.0}, {-1.0}, normal).value[0], 0.5);
+}
+
+TEST(KurganovNoellePetrova, IsKurganovTadmorForALawThatBoundsItsSpeedAlone) {
+  const BuckleyLeverett law;
+  const Vector<1> normal{1.0};
+  const auto one = KurganovNoellePetrova{}(law, {0.2}, {0.7}, normal);
+  const auto other = KurganovTadmor{}(law, {0.2}, {0.7}, normal);
+  EXPECT_NEAR(one.value[0], other.value[0], 8 * round_off);  // six operations on numbers below 2
+  EXPECT_EQ(one.speed, other.speed);
+}
+
+TEST(KurganovNoellePetrova, IsCentralAtRest) {  // no wave at all: no quotient of zeros
+  const Advection<1> still{Vector<1>{0.0}};
+  EXPECT_EQ(KurganovNoellePetrova{}(still, {3}, {5}, Vector<1>{1.0}).value[0], 0);
+}
+
+TEST(KurganovNoellePetrova, PassesOnANaN) {
+  const double nan = std::nan("");
+  EXPECT_TRUE(std::isnan(KurganovNoellePetrova{}(Burgers{}, {nan}, {1.0}, Vector<1>{1.0}).speed));
+  EXPECT_TRUE(std::isnan(KurganovNoellePetrova{}(Burgers{}, {1.0}, {nan}, Vector<1>{1.0}).speed));
+}
+
 /// The largest rise of the flux per state between two states, over `parts` equal parts.
 double steepest_part(const BuckleyLeverett& law, double low, double high, int parts) {
   const Vector<1> normal{1.0};

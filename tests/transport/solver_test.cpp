@@ -168,6 +168,38 @@ TEST(Solver, ShortensAStepThatALaterStageWouldBreak) {  // inflow of a large sta
   }
 }
 
+/// At rest, with a source s = x t.
+struct Growing {
+  static constexpr int num_components = 1;
+  using State = std::array<double, 1>;
+  State flux(const State&, const Vector<2>&) const noexcept { return {0}; }
+  double max_speed(const State&, const State&, const Vector<2>&) const noexcept { return 0; }
+  State source(const State&, const Vector<2>& x, double t) const noexcept { return {(x[0] + 2 * x[1]) * t}; }
+};
+static_assert(HasSource<Growing, 2>);
+
+TEST(Solver, AddsTheSourceAtItsPlaceAndTime) {  // SSPRK2 integrates a source linear in time exactly
+  const Lattice<2> lattice = test::cube<2>(70);
+  std::vector<double> u(4900, 1.0);
+  Solver solver{Cartesian<2>{lattice}, Growing{}, PiecewiseConstant{}, SspRk2{}, {.start_time = 3}};
+  solver.advance(u, 2);
+  for (Index site = 0; site < lattice.num_sites(); ++site) {
+    const Vector<2> x = lattice.position(lattice.site(site));
+    EXPECT_NEAR(u[static_cast<std::size_t>(site)], 1 + (x[0] + 2 * x[1]) * 8, 50 * round_off);  // 25, rounded
+  }
+}
+
+TEST(Solver, RefusesAStartTimeThatIsNotFinite) {
+  EXPECT_EQ(test::message_of<InputError>([] {
+              Solver{Cartesian<1>{test::line(10, 0, 1)},
+                     Burgers{},
+                     PiecewiseConstant{},
+                     SspRk2{},
+                     {.start_time = std::nan("")}};
+            }),
+            "Solver: the start time is nan s: must be finite");
+}
+
 TEST(Solver, RefusesACflNumberThatItCannotPromise) {
   const auto message = [](double cfl) {
     return test::message_of<InputError>([&] {

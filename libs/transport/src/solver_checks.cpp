@@ -29,6 +29,13 @@ void require_duration(double duration) {
   throw InputError{text.str()};
 }
 
+void require_start_time(double time) {
+  if (std::isfinite(time)) return;
+  std::ostringstream text;
+  text << "Solver: the start time is " << time << " s: must be finite";
+  throw InputError{text.str()};
+}
+
 void require_progress(double dt, double duration) {
   if (dt > round_off * duration) return;
   std::ostringstream text;

@@ -2,6 +2,8 @@
 
 #include <scree/transport/boundaries/outflow.hpp>
 #include <scree/transport/boundaries/prescribed.hpp>
+#include <scree/transport/boundaries/reflecting.hpp>
+#include <scree/transport/boundaries/user_given.hpp>
 #include <scree/transport/boundaries/zero_flux.hpp>
 #include <scree/transport/type_list.hpp>
 
@@ -10,21 +12,23 @@
 
 namespace scree::transport {
 
-/// Every boundary there is, for N components. A new one is its header and one entry here. (Periodicity is
-/// no boundary but a property of the lattice: a periodic axis has no end.)
-template <int N>
+/// Every boundary there is, in D dimensions and for N components. A new one is its header and one entry
+/// here. (Periodicity is no boundary but a property of the grid: a periodic axis has no end.)
+template <int D, int N>
 using BoundaryList = TypeList<  //
     ZeroFlux,                   //
     Outflow,                    //
-    Prescribed<N>>;
+    Reflecting,                 //
+    Prescribed<N>,              //
+    UserGiven<D, N>>;
 
 /// A boundary chosen at run time; a wall unless another is given.
-template <int N>
-using AnyBoundary = AnyOf<BoundaryList<N>>;
+template <int D, int N>
+using AnyBoundary = AnyOf<BoundaryList<D, N>>;
 
 /// The boundaries of a box: [axis][0] at its low end, [axis][1] at its high end. Those of a periodic axis
 /// are not used.
 template <int D, int N>
-using BoxBoundaries = std::array<std::array<AnyBoundary<N>, 2>, static_cast<std::size_t>(D)>;
+using BoxBoundaries = std::array<std::array<AnyBoundary<D, N>, 2>, static_cast<std::size_t>(D)>;
 
 }  // namespace scree::transport

@@ -7,6 +7,7 @@
 #include <concepts>
 #include <cstddef>
 #include <string_view>
+#include <type_traits>
 
 namespace scree::transport {
 
@@ -49,6 +50,46 @@ concept Diffusive = requires(const L law, const typename L::State& u) {
   noexcept->std::same_as<typename L::State>;
   { law.max_diffusivity(u, u) }
   noexcept->std::same_as<double>;
+};
+
+/// A point law that bounds its wave speeds on both sides of zero, over the whole interval between two
+/// states: what makes a central-upwind flux sharper than a central one.  Eq. (T16)
+template <class L, int D>
+concept HasSpeedRange = requires(const L law, const typename L::State& u, const Vector<D>& normal) {
+  { law.speed_range(u, u, normal) }
+  noexcept->std::same_as<SpeedRange>;
+};
+
+/// A point law that knows the state behind a reflecting wall: equal to `u`, but for a velocity along the
+/// normal that is turned round. A law without it has a wall that lets nothing pass.  Eq. (T8)
+template <class L, int D>
+concept HasMirror = requires(const L law, const typename L::State& u, const Vector<D>& normal) {
+  { law.mirror(u, normal) }
+  noexcept->std::same_as<typename L::State>;
+};
+
+/// A point law with states that cannot be, such as a negative pressure. (NaN must not be admissible.)
+template <class L>
+concept HasAdmissibleStates = requires(const L law, const typename L::State& u) {
+  { law.is_admissible(u) }
+  noexcept->std::same_as<bool>;
+};
+
+/// A point law with primitive variables, as many as it has conserved ones.
+template <class L>
+concept HasPrimitives = requires(const L law, const typename L::State& u) {
+  { law.primitive(u) }
+  noexcept->std::same_as<typename L::State>;
+  { law.conserved(u) }
+  noexcept->std::same_as<typename L::State>;
+};
+
+/// A law with a source s(u, x, t) [unit of the state / s], at a position x [m] and a time t [s].  Eq. (T1)
+template <class L, int D>
+concept HasSource = requires(const L law, const typename L::State& u, const Vector<D>& position,
+                             double time) {
+  { law.source(u, position, time) }
+  noexcept->std::same_as<typename L::State>;
 };
 
 /// A law that differs from face to face: `at(face)` is the point law there. It is not asked at faces with
@@ -98,14 +139,14 @@ concept Reconstruction = Named<R> && std::copyable<R> &&
   noexcept->std::same_as<double>;
 };
 
-/// The flux out through a boundary face, from the state inside and the outward normal. A closed boundary
-/// lets nothing through, and no law is asked there.
+/// The flux out through a boundary face, from the state inside and the face. A closed boundary lets nothing
+/// through, and no law is asked there.
 template <class B, class Flux, class Law, int D>
 concept Boundary = Named<B> && std::copyable<B> &&
     requires(const B boundary, const Flux flux, const Law law, const typename Law::State& inside,
-             const Vector<D>& outward) {
+             const BoundaryFace<D>& face) {
   { B::is_closed } -> std::convertible_to<bool>;
-  { boundary.flux(flux, law, inside, outward) }
+  { boundary.flux(flux, law, inside, face) }
   noexcept->std::same_as<FaceFlux<typename Law::State>>;
 };
 
@@ -119,6 +160,27 @@ concept LatticeGrid = std::copyable<G> && requires(const G grid, Index site) {
   noexcept->std::same_as<const Lattice<G::dimension>&>;
   { grid.density(site) }
   noexcept->std::same_as<double>;
+};
+
+/// Cells of any form and number of faces, in any order: what an unstructured mesh is, and a user's own grid.
+///
+/// A cell's faces close: the sum of area x normal, outward, over them is zero, or no uniform state stays.
+template <class G>
+concept FaceGrid = std::copyable<G> && requires(const G grid, Index i, int boundary) {
+  { G::dimension } -> std::convertible_to<int>;
+  { grid.num_cells() }
+  noexcept->std::same_as<Index>;
+  { grid.num_faces() }
+  noexcept->std::same_as<Index>;
+  { grid.volume(i) }
+  noexcept->std::same_as<double>;
+  { grid.centre(i) }
+  noexcept->std::convertible_to<Vector<G::dimension>>;
+  { grid.face(i) }
+  noexcept->std::convertible_to<GridFace<G::dimension>>;
+  { grid.num_boundaries() }
+  noexcept->std::same_as<int>;
+  { grid.boundary_name(boundary) } -> std::convertible_to<std::string_view>;
 };
 
 /// A Runge-Kutta method as convex combinations of forward Euler steps (Shu-Osher form): stage k is

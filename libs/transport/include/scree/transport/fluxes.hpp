@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/transport/fluxes/kurganov_noelle_petrova.hpp>
 #include <scree/transport/fluxes/kurganov_tadmor.hpp>
 #include <scree/transport/type_list.hpp>
 
@@ -7,7 +8,8 @@ namespace scree::transport {
 
 /// Every numerical flux there is. A new one is its header and one entry here.
 using FluxList = TypeList<  //
-    KurganovTadmor>;
+    KurganovTadmor,         //
+    KurganovNoellePetrova>;
 
 /// A numerical flux chosen at run time.
 using AnyFlux = AnyOf<FluxList>;

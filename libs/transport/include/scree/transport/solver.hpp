@@ -23,28 +23,29 @@ struct Advance {
   double stable_dt = 0;      ///< longest that the last step could have been [s]
 };
 
-/// What a solver of N components in D dimensions may be told.
-template <int D, int N>
+/// What a solver of N components on a kind of grid may be told.
+template <class Grid, int N>
 struct SolverOptions {
   std::optional<double> cfl = {};  ///< CFL number of its steps [-]; 9/10 of the promised one unless given
   Threads threads = {};            ///< one unless given
-  BoxBoundaries<D, N> boundaries = {};  ///< of the axes that are not periodic; walls unless given
+  typename BoundariesOf<Grid, N>::type boundaries = {};  ///< walls unless given
+  double start_time = 0;                                 ///< [s]
 };
 
 /// Advances a conservation law in time, in as many steps as its CFL number asks for.
 ///
 /// Owns its work arrays: advancing allocates nothing. The grid and the law may be changed between advances
 /// (new masses, a new driver) through grid() and law(). The same bits for any number of threads.
-template <LatticeGrid Grid, class Law, class Reconstruct, class Flux = KurganovTadmor>
+template <class Grid, class Law, class Reconstruct, class Flux = KurganovTadmor>
 class Solver {
  public:
   static constexpr int D = Grid::dimension;
   static constexpr int N = PointLawOf<Law>::num_components;
-  using Options = SolverOptions<D, N>;
+  using Options = SolverOptions<Grid, N>;
 
-  /// @throws InputError if the CFL number is not in (0, promised_cfl].
+  /// @throws InputError if the CFL number is not in (0, promised_cfl], or the start time is not finite.
   Solver(Grid grid, Law law, Reconstruct reconstruction, Stages stages = SspRk2{},
-         SolverOptions<Grid::dimension, PointLawOf<Law>::num_components> options = {}, Flux flux = {})
+         SolverOptions<Grid, PointLawOf<Law>::num_components> options = {}, Flux flux = {})
       : promised_cfl_{promised_cfl(reconstruction)},
         cfl_{options.cfl.value_or(usual_part * promised_cfl_)},
         stages_{stages},
@@ -53,8 +54,10 @@ class Solver {
                        options.threads},
         now_{num_sites()},
         stage_{num_sites()},
-        rates_{num_sites()} {
+        rates_{num_sites()},
+        time_{options.start_time} {
     detail::require_cfl(cfl_, promised_cfl_);
+    detail::require_start_time(time_);
   }
 
   /// The largest CFL number at which bounds are kept: of a scalar law what the reconstruction promises,
@@ -66,11 +69,13 @@ class Solver {
 
   [[nodiscard]] Grid& grid() noexcept { return semi_discrete_.problem().grid; }
   [[nodiscard]] Law& law() noexcept { return semi_discrete_.problem().law; }
+  /// Start time and all that was advanced since [s].
+  [[nodiscard]] double time() const noexcept { return time_; }
 
   /// Advances `u` by `duration` [s].
   /// @param u num_sites x num_components, component fastest; not written at empty sites.
   /// @throws InputError for a wrong length or duration. @throws RunError if a value is not finite; then `u`
-  /// is as it was.
+  /// and the time are as they were.
   Advance advance(std::span<double> u, double duration) {
     detail::require_size(u.size(), num_sites(), N);
     detail::require_duration(duration);
@@ -78,11 +83,12 @@ class Solver {
     Advance result;
     double remaining = duration;
     while (remaining > 0) {
-      const double dt = step(remaining, result);
+      const double dt = step(time_ + (duration - remaining), remaining, result);
       detail::require_progress(dt, duration);
       remaining = dt < remaining ? remaining - dt : 0;
     }
-    now_.scatter(u, semi_discrete_.threads(), [&](Index site) { return grid().density(site) > 0; });
+    now_.scatter(u, semi_discrete_.threads(), [&](Index site) { return semi_discrete_.holds(site); });
+    time_ += duration;
     return result;
   }
 
@@ -91,25 +97,26 @@ class Solver {
   [[nodiscard]] double stable_time_step(std::span<const double> u) {
     detail::require_size(u.size(), num_sites(), N);
     now_.gather(u, semi_discrete_.threads());
-    return longest_step(semi_discrete_(now_, rates_).limit, cfl_);
+    return longest_step(semi_discrete_(now_, rates_, time_).limit, cfl_);
   }
 
  private:
-  [[nodiscard]] Index num_sites() const noexcept {
-    return semi_discrete_.problem().grid.lattice().num_sites();
-  }
+  using Rates = SemiDiscrete<Grid, Law, Reconstruct, Flux>;
+  using Storage = typename Rates::Storage;
+
+  [[nodiscard]] Index num_sites() const noexcept { return semi_discrete_.num_sites(); }
 
   /// One step of at most `remaining`. Should a later stage be so fast that the step breaks the promised CFL
   /// number there, the step is taken again, shorter. @return its length [s]
-  double step(double remaining, Advance& result) {
-    StepBounds bounds = semi_discrete_(now_, rates_);
+  double step(double time, double remaining, Advance& result) {
+    StepBounds bounds = semi_discrete_(now_, rates_, time);
     result.stable_dt = longest_step(bounds.limit, cfl_);
     double dt = next_step(remaining, bounds.limit, cfl_);
     for (;;) {
-      const double limit = run_stages(dt, bounds, result);
+      const double limit = run_stages(time, dt, bounds, result);
       if (is_stable(dt, limit, promised_cfl_)) break;
       dt = usual_part * longest_step(limit, cfl_);
-      bounds = semi_discrete_(now_, rates_);
+      bounds = semi_discrete_(now_, rates_, time);
     }
     ++result.substeps;
     return dt;
@@ -117,13 +124,15 @@ class Solver {
 
   /// The stages of a step, whose first rates are there, up to one that breaks the promised CFL number; the
   /// last one writes now_. @return the largest limit of all stages [1/s]
-  double run_stages(double dt, const StepBounds& first, Advance& result) {
+  double run_stages(double time, double dt, const StepBounds& first, Advance& result) {
     const std::size_t num_stages = stages_.kept.size();
     double limit = first.limit;
+    double part = 0;  // of dt, at the stage in hand
     result.largest_speed = std::max(result.largest_speed, first.speed);
     for (std::size_t stage = 0; stage < num_stages; ++stage) {
       if (stage > 0) {
-        const StepBounds bounds = semi_discrete_(stage_, rates_);
+        part = (1 - stages_.kept[stage - 1]) * (part + 1);
+        const StepBounds bounds = semi_discrete_(stage_, rates_, time + part * dt);
         limit = std::max(limit, bounds.limit);
         result.largest_speed = std::max(result.largest_speed, bounds.speed);
         if (!is_stable(dt, limit, promised_cfl_)) break;
@@ -134,7 +143,7 @@ class Solver {
   }
 
   /// next = kept u^n + (1 - kept)(stage + dt rates).  Eq. (T7)
-  void combine(double kept, double dt, const Fields<N>& stage, Fields<N>& next) {
+  void combine(double kept, double dt, const Storage& stage, Storage& next) {
     const auto n = static_cast<Index>(now_.all().size());
     constexpr Index chunk = 8192;
     for_each_block((n + chunk - 1) / chunk, semi_discrete_.threads(), [&](Index block) {
@@ -152,10 +161,11 @@ class Solver {
   double promised_cfl_;
   double cfl_;
   Stages stages_;
-  SemiDiscrete<Grid, Law, Reconstruct, Flux> semi_discrete_;
-  Fields<N> now_;
-  Fields<N> stage_;
-  Fields<N> rates_;
+  Rates semi_discrete_;
+  Storage now_;
+  Storage stage_;
+  Storage rates_;
+  double time_;
 };
 
 }  // namespace scree::transport

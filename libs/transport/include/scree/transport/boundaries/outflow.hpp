@@ -13,8 +13,8 @@ struct Outflow {
   template <class Flux, class Law, int D>
   [[nodiscard]] FaceFlux<typename Law::State> flux(const Flux& flux, const Law& law,
                                                    const typename Law::State& inside,
-                                                   const Vector<D>& outward) const noexcept {
-    return flux(law, inside, inside, outward);
+                                                   const BoundaryFace<D>& face) const noexcept {
+    return flux(law, inside, inside, face.outward);
   }
 };
 

@@ -19,8 +19,8 @@ struct Prescribed {
   template <class Flux, class Law, int D>
   [[nodiscard]] FaceFlux<typename Law::State> flux(const Flux& flux, const Law& law,
                                                    const typename Law::State& inside,
-                                                   const Vector<D>& outward) const noexcept {
-    return flux(law, inside, outside, outward);
+                                                   const BoundaryFace<D>& face) const noexcept {
+    return flux(law, inside, outside, face.outward);
   }
 };
 

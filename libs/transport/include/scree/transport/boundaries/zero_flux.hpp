@@ -13,7 +13,7 @@ struct ZeroFlux {
   template <class Flux, class Law, int D>
   [[nodiscard]] FaceFlux<typename Law::State> flux(const Flux& /*flux*/, const Law& /*law*/,
                                                    const typename Law::State& /*inside*/,
-                                                   const Vector<D>& /*outward*/) const noexcept {
+                                                   const BoundaryFace<D>& /*face*/) const noexcept {
     return {};
   }
 };

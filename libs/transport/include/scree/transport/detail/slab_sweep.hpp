@@ -52,8 +52,9 @@ class SlabSweep {
   }
 
   /// Writes du/dt of the slab's sites into `rates`.
-  [[nodiscard]] SweepReport operator()(const Problem& problem, const Fields<N>& fields,
-                                       Fields<N>& rates) noexcept {
+  [[nodiscard]] SweepReport operator()(const Problem& problem, const Fields<N>& fields, Fields<N>& rates,
+                                       double time) noexcept {
+    time_ = time;
     SweepReport report;
     const Index rows_per_layer = D == 1 ? 1 : rows_per_plane(D - 1);
     for (Index row = first_layer_ * rows_per_layer; row < end_layer_ * rows_per_layer; ++row) {
@@ -64,6 +65,7 @@ class SlabSweep {
       }
       for (Index tile = 0; tile < num_tiles_; ++tile) {
         balance(problem, fields, place, tile, report);
+        if constexpr (HasSource<typename Problem::Law, D>) add_source(problem, fields, place, tile);
         sums_.finish(problem.grid, place.start + tile * tile_width, count_of(tile), rates.data(),
                      rates.stride());
         inspect(place.start + tile * tile_width, count_of(tile), report);
@@ -126,18 +128,28 @@ class SlabSweep {
   /// the axis.  Eq. (T8)
   void flux_out(const Problem& problem, const Fields<N>& fields, const FaceRow& row, int side,
                 double* flux) const noexcept {
-    const Vector<D> outward = (side == 0 ? -1.0 : 1.0) * Vector<D>::Unit(row.axis);
+    const double sign = side == 0 ? -1 : 1;
+    BoundaryFace<D> at{centre_out(row, sign), sign * Vector<D>::Unit(row.axis), time_};
     const auto apply = [&](const auto& boundary) {
       for (Index i = 0; i < row.count; ++i) {
         FaceFlux<State> face{};
         if constexpr (!std::remove_cvref_t<decltype(boundary)>::is_closed) {
           const auto law = law_at(problem.law, Face{row.owner + i, no_site, row.axis, row.distance});
-          face = boundary.flux(problem.flux, law, fields[row.owner + i], outward);
+          face = boundary.flux(problem.flux, law, fields[row.owner + i], at);
         }
-        write(face, problem.grid.density(row.owner + i), outward[row.axis], flux + i);
+        write(face, problem.grid.density(row.owner + i), sign, flux + i);
+        at.centre[0] += lattice_.spacing[0];
       }
     };
     std::visit(apply, problem.boundaries[static_cast<std::size_t>(row.axis)][static_cast<std::size_t>(side)]);
+  }
+
+  /// Centre of the first face of such a row.
+  [[nodiscard]] Vector<D> centre_out(const FaceRow& row, double sign) const noexcept {
+    const Indices<D> site = lattice_.site(row.owner);
+    Vector<D> centre = lattice_.position(site);
+    if (lattice_.sites == Sites::cells) centre[row.axis] += sign * lattice_.spacing[row.axis] / 2;
+    return centre;
   }
 
   static void write(const FaceFlux<State>& face, double density, double sign, double* flux) noexcept {
@@ -270,6 +282,19 @@ class SlabSweep {
     }
   }
 
+  /// Counts a source as a flux that enters.  Eq. (T1)
+  void add_source(const Problem& problem, const Fields<N>& fields, const Place& place, Index tile) noexcept {
+    Indices<D> site = place.site;
+    for (Index i = 0; i < count_of(tile); ++i) {
+      site[0] = tile * tile_width + i;
+      const Index here = place.start + site[0];
+      const double density = problem.grid.density(here);
+      if (!(density > 0)) continue;
+      const State source = problem.law.source(fields[here], lattice_.position(site), time_);
+      for (int k = 0; k < N; ++k) sums_.outflow.row(k)[i] -= density * source[static_cast<std::size_t>(k)];
+    }
+  }
+
   void add_along_row(const Place& place, Index tile, SweepReport& report) noexcept {
     const Index last = lattice_.count[0] - 1;
     const Index begin = tile * tile_width;
@@ -306,6 +331,7 @@ class SlabSweep {
   Tile<N> low_{};
   Tile<N> high_{};
   RowSums<N> sums_{};
+  double time_ = 0;
 };
 
 }  // namespace scree::transport::detail

@@ -15,6 +15,9 @@ void require_size(std::size_t num_values, Index num_sites, int num_components);
 /// @throws InputError unless the duration is zero or positive, and finite.
 void require_duration(double duration);
 
+/// @throws InputError unless the time is finite.
+void require_start_time(double time);
+
 /// @throws RunError if a step is so short that time stands still.
 void require_progress(double dt, double duration);
 

@@ -23,6 +23,11 @@ struct Advection {
                                  const Vector<D>& normal) const noexcept {
     return std::abs(dot(velocity, normal));
   }
+  [[nodiscard]] SpeedRange speed_range(const State& /*left*/, const State& /*right*/,
+                                       const Vector<D>& normal) const noexcept {
+    const double speed = dot(velocity, normal);
+    return {speed, speed};
+  }
 };
 static_assert(ConservationLaw<Advection<2>, 2>);
 

@@ -22,6 +22,13 @@ struct Burgers {
                                  const Vector<D>& normal) const noexcept {
     return std::abs(sum(normal)) * larger(std::abs(left[0]), std::abs(right[0]));
   }
+  template <int D>
+  [[nodiscard]] SpeedRange speed_range(const State& left, const State& right,
+                                       const Vector<D>& normal) const noexcept {
+    const double speed_left = sum(normal) * left[0];
+    const double speed_right = sum(normal) * right[0];
+    return {-larger(-speed_left, -speed_right), larger(speed_left, speed_right)};
+  }
 };
 static_assert(ConservationLaw<Burgers, 1> && ConservationLaw<Burgers, 3>);
 
