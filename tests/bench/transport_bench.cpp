@@ -25,69 +25,117 @@ Lattice<D> periodic_lattice(Index n) {
   return lattice;
 }
 
-/// The flux of N size classes whose driver differs from face to face, as grain-size segregation has it,
-/// with remixing: what the segregation step of a run costs, on the transport side.
+/// N size classes with the arithmetic of the probe that says what a machine can do: an arithmetic mean size,
+/// one driver per axis, remixing.
+template <int N>
+struct ProbeClasses {
+  static constexpr int num_components = N;
+  using State = std::array<double, static_cast<std::size_t>(N)>;
+
+  State sizes;        // [m]
+  Vector<3> drivers;  // [m/s]
+  double remixing;    // [m^2/s]
+
+  State flux(const State& phi, const Vector<3>& normal) const noexcept {
+    double mean = 0;
+    for_each_component<N>([&](std::size_t k) { mean += phi[k] * sizes[k]; });
+    const double driver = dot<3>(drivers, normal);
+    State f;
+    for_each_component<N>([&](std::size_t k) { f[k] = driver * (phi[k] * (mean - sizes[k])); });
+    return f;
+  }
+  double max_speed(const State& /*left*/, const State& /*right*/, const Vector<3>& normal) const noexcept {
+    return 2 * std::abs(dot<3>(drivers, normal)) * sizes[N - 1];
+  }
+  State potential(const State& phi) const noexcept {
+    State K;
+    for_each_component<N>([&](std::size_t k) { K[k] = remixing * phi[k]; });
+    return K;
+  }
+  double max_diffusivity(const State& /*left*/, const State& /*right*/) const noexcept { return remixing; }
+};
+
+/// Grain-size segregation as a run has it: a harmonic mean size and a driver of its own at each face.
 template <int N>
 struct ClassesAtFace {
   static constexpr int num_components = N;
   using State = std::array<double, static_cast<std::size_t>(N)>;
 
-  const double* sizes;  // [m]
-  double driver;        // [m/s]
+  const State* inverse_sizes;  // [1/m], decreasing
+  double driver;               // [m/s]
+  double remixing;             // [m^2/s]
 
-  template <int D>
-  State flux(const State& phi, const Vector<D>& normal) const noexcept {
-    double mean = 0;
-    for_each_component<N>([&](std::size_t k) { mean += phi[k] * sizes[k]; });
+  State flux(const State& phi, const Vector<3>& /*normal*/) const noexcept {
+    const Sums sums = sums_of(phi);
+    const double factor = driver / sums.volume_per_size;
     State f;
-    const double b = driver * sum(normal);
-    for_each_component<N>([&](std::size_t k) { f[k] = b * phi[k] * (mean - sizes[k]); });
+    for_each_component<N>([&](std::size_t k) {
+      f[k] = factor * (phi[k] * (sums.volume_per_size - sums.volume * (*inverse_sizes)[k]));
+    });
     return f;
   }
-  template <int D>
-  double max_speed(const State& /*left*/, const State& /*right*/,
-                   const Vector<D>& /*normal*/) const noexcept {
-    return 2 * std::abs(driver) * sizes[N - 1];
+  double max_speed(const State& left, const State& right, const Vector<3>& /*normal*/) const noexcept {
+    return std::abs(driver) * larger(relative_speed(left), relative_speed(right));
   }
   State potential(const State& phi) const noexcept {
     State K;
-    for_each_component<N>([&](std::size_t k) { K[k] = 0.01 * phi[k]; });
+    for_each_component<N>([&](std::size_t k) { K[k] = remixing * phi[k]; });
     return K;
   }
-  double max_diffusivity(const State& /*left*/, const State& /*right*/) const noexcept { return 0.01; }
+  double max_diffusivity(const State& /*left*/, const State& /*right*/) const noexcept { return remixing; }
+
+ private:
+  struct Sums {
+    double volume = 0;
+    double volume_per_size = 0;
+  };
+  Sums sums_of(const State& phi) const noexcept {
+    Sums sums;
+    for_each_component<N>([&](std::size_t k) {
+      sums.volume += phi[k];
+      sums.volume_per_size += phi[k] * (*inverse_sizes)[k];
+    });
+    return sums;
+  }
+  double relative_speed(const State& phi) const noexcept {
+    const Sums sums = sums_of(phi);
+    const double mean_size = sums.volume / sums.volume_per_size;
+    return larger(mean_size * inverse_sizes->front() - 1, 1 - mean_size * inverse_sizes->back());
+  }
 };
 
 template <int N>
 struct Classes {
-  const double* sizes;
-  const double* drive;  // one per site
+  std::array<double, static_cast<std::size_t>(N)> inverse_sizes;
+  double remixing;
+  const double* drivers;  // one row of num_sites per axis
+  Index num_sites;
 
   ClassesAtFace<N> at(const Face& face) const noexcept {
-    return {sizes, (drive[face.neighbour] - drive[face.owner]) / face.distance};
+    return {&inverse_sizes, drivers[face.axis * num_sites + face.owner], remixing};
   }
 };
 
 /// One evaluation of d(phi)/dt of N classes on 40^3 occupied cells; rate in cell-classes.
-template <int N>
-void segregation_rates(benchmark::State& state) {
+template <int N, class Law, class Reconstruct>
+void run_rates(benchmark::State& state, const Law& law, const Reconstruct& reconstruction) {
   const Lattice<3> lattice = periodic_lattice<3>(40);
   const auto num_sites = static_cast<std::size_t>(lattice.num_sites());
   std::vector<double> masses(num_sites);
-  std::vector<double> drive(num_sites);
   std::vector<double> phi(num_sites * N);
   for (std::size_t i = 0; i < num_sites; ++i) {
     masses[i] = 1 + 0.3 * std::sin(0.1 * static_cast<double>(i));
-    drive[i] = std::cos(0.01 * static_cast<double>(i));
+    double total = 0;
     for (std::size_t k = 0; k < N; ++k) {
-      phi[i * N + k] = (1 + 0.5 * std::sin(0.37 * static_cast<double>(i) + static_cast<double>(k))) / N;
+      phi[i * N + k] = 1 + 0.5 * std::sin(0.37 * static_cast<double>(i) + static_cast<double>(k));
+      total += phi[i * N + k];
     }
+    for (std::size_t k = 0; k < N; ++k) phi[i * N + k] /= total;
   }
-  std::vector<double> sizes(N);
-  for (std::size_t k = 0; k < N; ++k) sizes[k] = 1e-3 * static_cast<double>(1 + k);
   OccupiedCells<3> cells{lattice};
   cells.set_masses(masses);
-  SemiDiscrete<OccupiedCells<3>, Classes<N>, PiecewiseLinearCommon<Minmod>, KurganovTadmor> rates{
-      {cells, {sizes.data(), drive.data()}, PiecewiseLinearCommon{Minmod{}}, {}, {}}, 0.5, {}};
+  SemiDiscrete<OccupiedCells<3>, Law, Reconstruct, KurganovTadmor> rates{
+      {cells, law, reconstruction, {}, {}}, 0.5, {}};
   Fields<N> fields{lattice.num_sites()};
   Fields<N> result{lattice.num_sites()};
   fields.gather(phi, {});
@@ -95,6 +143,26 @@ void segregation_rates(benchmark::State& state) {
   while (state.KeepRunning()) benchmark::DoNotOptimize(rates(fields, result, 0));
 
   state.SetItemsProcessed(state.iterations() * static_cast<Index>(num_sites) * N);
+}
+
+/// The probe's arithmetic and its plain minmod: to be compared with the probe.
+template <int N>
+void probe_rates(benchmark::State& state) {
+  ProbeClasses<N> law{{}, Vector<3>{0.3, 0.2, 1.0}, 0.01};
+  for (std::size_t k = 0; k < N; ++k) law.sizes[k] = 1e-3 * static_cast<double>(1 + k);
+  run_rates<N>(state, law, PiecewiseLinear{Minmod{}});
+}
+BENCHMARK(probe_rates<2>);
+BENCHMARK(probe_rates<8>);
+
+/// What segregation costs in a run: its law, and one limiter factor for all classes.
+template <int N>
+void segregation_rates(benchmark::State& state) {
+  std::vector<double> drivers(std::size_t{3} * 40 * 40 * 40);
+  for (std::size_t i = 0; i < drivers.size(); ++i) drivers[i] = std::cos(0.01 * static_cast<double>(i));
+  Classes<N> law{{}, 0.01, drivers.data(), 40 * 40 * 40};
+  for (std::size_t k = 0; k < N; ++k) law.inverse_sizes[k] = 1e3 / static_cast<double>(1 + k);
+  run_rates<N>(state, law, PiecewiseLinearCommon{Minmod{}, 1.0});
 }
 BENCHMARK(segregation_rates<2>);
 BENCHMARK(segregation_rates<3>);

@@ -8,7 +8,7 @@ namespace scree::transport {
 
 template <int D>
 OccupiedCells<D>::OccupiedCells(const Lattice<D>& lattice)
-    : lattice_{lattice}, densities_(static_cast<std::size_t>(lattice.num_sites())) {}
+    : Cartesian<D>{lattice}, densities_(static_cast<std::size_t>(lattice.num_sites())) {}
 
 template <int D>
 void OccupiedCells<D>::set_masses(std::span<const double> masses) {
@@ -26,7 +26,7 @@ void OccupiedCells<D>::set_masses(std::span<const double> masses) {
     }
   }
   for (std::size_t site = 0; site < masses.size(); ++site) {
-    densities_[site] = masses[site] / lattice_.volume(lattice_.site(static_cast<Index>(site)));
+    densities_[site] = masses[site] / this->lattice().volume(this->lattice().site(static_cast<Index>(site)));
   }
 }
 

@@ -150,15 +150,30 @@ concept Boundary = Named<B> && std::copyable<B> &&
   noexcept->std::same_as<FaceFlux<typename Law::State>>;
 };
 
-/// Control volumes on a lattice, each filled with a density of its own; no density, no site.
+/// Control volumes in rows, columns and layers, each filled with a density of its own; no density, no site.
+/// Sites are numbered with the first axis fastest; a site has one coordinate per axis, from 0 on.
 ///
+/// `width(axis, coordinate)` is the extent of the sites with this coordinate [m], `distance_below` the
+/// distance to the site below, round the end of a periodic axis, and `end` where a boundary lies [m].
 /// The balance is rho_i V_i du_i/dt = -sum_f rho_f A_f F_f, rho_f = min(rho_i, rho_j).  Eqs. (T2), (T10)
 template <class G>
-concept LatticeGrid = std::copyable<G> && requires(const G grid, Index site) {
+concept LatticeGrid = std::copyable<G> &&
+    requires(const G grid, int axis, Index coordinate, const Indices<G::dimension>& site) {
   { G::dimension } -> std::convertible_to<int>;
-  { grid.lattice() }
-  noexcept->std::same_as<const Lattice<G::dimension>&>;
-  { grid.density(site) }
+  { G::has_equal_spacing } -> std::convertible_to<bool>;
+  { grid.count() }
+  noexcept->std::convertible_to<Indices<G::dimension>>;
+  { grid.is_periodic() }
+  noexcept->std::convertible_to<std::array<bool, static_cast<std::size_t>(G::dimension)>>;
+  { grid.width(axis, coordinate) }
+  noexcept->std::same_as<double>;
+  { grid.distance_below(axis, coordinate) }
+  noexcept->std::same_as<double>;
+  { grid.end(axis, End::low) }
+  noexcept->std::same_as<double>;
+  { grid.position(site) }
+  noexcept->std::convertible_to<Vector<G::dimension>>;
+  { grid.density(coordinate) }
   noexcept->std::same_as<double>;
 };
 

@@ -7,6 +7,9 @@ namespace scree::transport {
 /// The index of a neighbour that is not there.
 constexpr Index no_site = -1;
 
+/// The two ends of an axis.
+enum class End { low, high };
+
 /// A face between two sites of a lattice, normal to `axis`; its normal points from owner to neighbour.
 struct Face {
   Index owner;      ///< site on the low side along the axis; at a boundary the site inside

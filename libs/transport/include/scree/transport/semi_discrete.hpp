@@ -6,6 +6,7 @@
 #include <scree/transport/discretisation.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace scree::transport {
@@ -27,11 +28,11 @@ class SemiDiscrete<Grid, Law, Reconstruct, Flux> {
   /// @param cfl the CFL number that steps will keep to; at walls the bounds depend on it.  Eq. (T9)
   SemiDiscrete(Problem problem, double cfl, Threads threads)
       : problem_{std::move(problem)}, threads_{threads} {
-    const Lattice<D>& lattice = problem_.grid.lattice();
-    const Index num_layers = D == 1 ? 1 : lattice.count[D - 1];
+    const Index num_layers = D == 1 ? 1 : problem_.grid.count()[D - 1];
     const Index num_slabs = std::clamp<Index>(threads.count, 1, num_layers);
     for (Index slab = 0; slab < num_slabs; ++slab) {
-      slabs_.emplace_back(lattice, num_layers * slab / num_slabs, num_layers * (slab + 1) / num_slabs, cfl);
+      slabs_.emplace_back(problem_.grid, num_layers * slab / num_slabs, num_layers * (slab + 1) / num_slabs,
+                          cfl);
     }
     reports_.resize(slabs_.size());
   }
@@ -39,7 +40,11 @@ class SemiDiscrete<Grid, Law, Reconstruct, Flux> {
   [[nodiscard]] Problem& problem() noexcept { return problem_; }
   [[nodiscard]] const Problem& problem() const noexcept { return problem_; }
   [[nodiscard]] Threads threads() const noexcept { return threads_; }
-  [[nodiscard]] Index num_sites() const noexcept { return problem_.grid.lattice().num_sites(); }
+  [[nodiscard]] Index num_sites() const noexcept {
+    Index product = 1;
+    for (const Index n : problem_.grid.count()) product *= n;
+    return product;
+  }
   /// Whether there is anything at a site.
   [[nodiscard]] bool holds(Index site) const noexcept { return problem_.grid.density(site) > 0; }
 
@@ -47,17 +52,41 @@ class SemiDiscrete<Grid, Law, Reconstruct, Flux> {
   /// @param time of the boundaries and the source [s]
   /// @throws RunError with the site and its position if a rate of change or a speed is not finite.
   StepBounds operator()(const Fields<N>& fields, Fields<N>& rates, double time) {
-    for_each_block(static_cast<Index>(slabs_.size()), threads_, [&](Index block) {
-      const auto slab = static_cast<std::size_t>(block);
-      reports_[slab] = slabs_[slab](problem_, fields, rates, time);
-    });
-    detail::SweepReport report;
-    for (const auto& slab : reports_) report.add(slab);
-    if (report.faulty != no_site) detail::throw_not_finite(problem_.grid.lattice(), report.faulty);
-    return {report.limit.value(), report.speed.value()};
+    return sweep(fields, time, detail::WriteRate{rates.data(), rates.stride()});
+  }
+
+  /// Writes the next stage of a Runge-Kutta step in the same pass: kept u^n + (1 - kept)(u + dt du/dt), with
+  /// u the fields and u^n the `start` of the step.  Eq. (T7)
+  /// @param next neither of the others
+  StepBounds advance_stage(const Fields<N>& fields, const Fields<N>& start, Fields<N>& next, double kept,
+                           double dt, double time) {
+    return sweep(fields, time,
+                 detail::WriteStage{start.data(), fields.data(), next.data(), next.stride(), kept, dt});
   }
 
  private:
+  template <class Write>
+  StepBounds sweep(const Fields<N>& fields, double time, const Write& write) {
+    for_each_block(static_cast<Index>(slabs_.size()), threads_, [&](Index block) {
+      const auto slab = static_cast<std::size_t>(block);
+      reports_[slab] = slabs_[slab](problem_, fields, time, write);
+    });
+    detail::SweepReport report;
+    for (const auto& slab : reports_) report.add(slab);
+    if (!std::isfinite(report.limit)) throw_first_fault(fields, time);
+    return {report.limit, report.speed};
+  }
+
+  [[noreturn]] void throw_first_fault(const Fields<N>& fields, double time) {
+    Index fault = no_site;
+    for (std::size_t slab = 0; slab < slabs_.size() && fault == no_site; ++slab) {
+      fault = slabs_[slab].first_fault(problem_, fields, time);
+    }
+    const detail::Numbering<D> numbering{problem_.grid.count(), problem_.grid.is_periodic()};
+    const Indices<D> site = numbering.site(fault);
+    detail::throw_not_finite<D>(site, problem_.grid.position(site));
+  }
+
   Problem problem_;
   Threads threads_;
   std::vector<detail::SlabSweep<Problem>> slabs_;

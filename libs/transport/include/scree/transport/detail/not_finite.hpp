@@ -6,10 +6,10 @@ namespace scree::transport::detail {
 
 /// @throws RunError that names a site where the rate of change is not finite, and its position.
 template <int D>
-[[noreturn]] void throw_not_finite(const Lattice<D>& lattice, Index site);
+[[noreturn]] void throw_not_finite(const Indices<D>& site, const Vector<D>& position);
 
-extern template void throw_not_finite<1>(const Lattice<1>&, Index);
-extern template void throw_not_finite<2>(const Lattice<2>&, Index);
-extern template void throw_not_finite<3>(const Lattice<3>&, Index);
+extern template void throw_not_finite<1>(const Indices<1>&, const Vector<1>&);
+extern template void throw_not_finite<2>(const Indices<2>&, const Vector<2>&);
+extern template void throw_not_finite<3>(const Indices<3>&, const Vector<3>&);
 
 }  // namespace scree::transport::detail

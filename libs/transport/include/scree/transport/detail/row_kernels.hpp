@@ -2,7 +2,9 @@
 
 #include <scree/transport/components.hpp>
 #include <scree/transport/concepts.hpp>
+#include <scree/transport/detail/row.hpp>
 #include <scree/transport/detail/tiles.hpp>
+#include <scree/transport/detail/unequal_cells.hpp>
 #include <scree/transport/fields.hpp>
 
 #include <algorithm>
@@ -15,17 +17,23 @@ namespace scree::transport::detail {
 
 /// First of `count` consecutive sites, and of their neighbours on both sides along an axis; all three the
 /// same where a neighbour is missing.
+template <class Ratios>
 struct StencilRow {
   Index below;
   Index here;
   Index above;
   Index count;
+  Ratios ratios;
+
+  [[nodiscard]] StencilRow part(Index begin, Index size) const noexcept {
+    return {below + begin, here + begin, above + begin, size, ratios + begin};
+  }
 };
 
 /// Values of the reconstruction at both faces of each site of a row.  Eqs. (T4) to (T6)
-template <class Grid, class R, int N>
+template <class Grid, class R, int N, class Ratios>
 [[gnu::noinline, gnu::flatten]] void reconstruct(const Grid& grid, const R& reconstruction,
-                                                 const Fields<N>& fields, const StencilRow& row,
+                                                 const Fields<N>& fields, const StencilRow<Ratios>& row,
                                                  double* __restrict low, double* __restrict high) noexcept {
   using State = std::array<double, static_cast<std::size_t>(N)>;
   const Index stride = fields.stride();
@@ -44,7 +52,7 @@ template <class Grid, class R, int N>
       below[k] = is_inside ? value_below : here[k];
       above[k] = is_inside ? value_above : here[k];
     });
-    const Edges<State> edges = reconstruction(below, here, above);
+    const Edges<State> edges = row.ratios.edges(reconstruction, below, here, above, i);
     for_each_component<N>([&](std::size_t k) {
       low[static_cast<Index>(k) * Tile<N>::stride + i] = edges.low[k];
       high[static_cast<Index>(k) * Tile<N>::stride + i] = edges.high[k];
@@ -52,42 +60,44 @@ template <class Grid, class R, int N>
   }
 }
 
-/// First of `count` consecutive faces: the sites on both sides, and the geometry that all of them share.
+/// First of `count` consecutive faces: the sites on both sides, and the distance between them [m].
+template <class Distance>
 struct FaceRow {
   Index owner;
   Index neighbour;
   Index count;
   int axis;
-  double distance;  ///< between the sites on both sides [m]
+  Distance distance;
+
+  [[nodiscard]] FaceRow part(Index begin, Index size) const noexcept {
+    return {owner + begin, neighbour + begin, size, axis, distance + begin};
+  }
 };
 
 /// What a point law's diffusion sends through a face, from the values at the sites.  Eq. (T11)
+/// @return its share of the limit of dt [m/s]
 template <class Law, class State>
 [[nodiscard]] double add_diffusion(const Law& law, const State& left, const State& right, double per_distance,
                                    State& flux) noexcept {
-  if constexpr (Diffusive<Law>) {
-    const State potential_left = law.potential(left);
-    const State potential_right = law.potential(right);
-    for_each_component<Law::num_components>(
-        [&](std::size_t k) { flux[k] -= (potential_right[k] - potential_left[k]) * per_distance; });
-    return law.max_diffusivity(left, right) * per_distance;
-  } else {
-    return 0;
-  }
+  const State potential_left = law.potential(left);
+  const State potential_right = law.potential(right);
+  for_each_component<Law::num_components>(
+      [&](std::size_t k) { flux[k] -= (potential_right[k] - potential_left[k]) * per_distance; });
+  return law.max_diffusivity(left, right) * per_distance;
 }
 
 /// Fluxes through a row of faces between sites, from the reconstructed states on both sides of each, times
 /// the smaller of the two densities; zero where a side is empty.  Eqs. (T3), (T10), (T11)
-template <class Grid, class Law, class Flux, int N>
+/// @param fastest largest speed met in each lane so far
+template <class Grid, class Law, class Flux, int N, class Distance>
 [[gnu::noinline, gnu::flatten]] void flux_between(const Grid& grid, const Law& law,
                                                   const Flux& numerical_flux, const Fields<N>& fields,
-                                                  const FaceRow& row, const double* __restrict left,
-                                                  const double* __restrict right,
-                                                  double* __restrict flux) noexcept {
+                                                  const FaceRow<Distance>& row, const double* __restrict left,
+                                                  const double* __restrict right, double* __restrict flux,
+                                                  double* __restrict fastest) noexcept {
   using State = std::array<double, static_cast<std::size_t>(N)>;
-  using Out = FluxTile<N>;
+  using Out = FluxTile<N, Diffusive<PointLawOf<Law>>>;
   const Vector<Grid::dimension> normal = Vector<Grid::dimension>::Unit(row.axis);
-  const double per_distance = 1 / row.distance;
   const Index stride = fields.stride();
   const double* u = fields.data();
 #pragma GCC ivdep
@@ -96,25 +106,30 @@ template <class Grid, class Law, class Flux, int N>
     const Index neighbour = row.neighbour + i;
     State edge_left;
     State edge_right;
-    State site_left;
-    State site_right;
     for_each_component<N>([&](std::size_t k) {
       edge_left[k] = left[static_cast<Index>(k) * Tile<N>::stride + i];
       edge_right[k] = right[static_cast<Index>(k) * Tile<N>::stride + i];
-      site_left[k] = u[static_cast<Index>(k) * stride + owner];
-      site_right[k] = u[static_cast<Index>(k) * stride + neighbour];
     });
-    const auto& point_law = law_at(law, Face{owner, neighbour, row.axis, row.distance});
+    const auto& point_law = law_at(law, Face{owner, neighbour, row.axis, row.distance[i]});
     FaceFlux<State> face = numerical_flux(point_law, edge_left, edge_right, normal);
-    const double diffusion = add_diffusion(point_law, site_left, site_right, per_distance, face.value);
     const double density = std::min(grid.density(owner), grid.density(neighbour));
     const bool is_open = density > 0;
+    if constexpr (Diffusive<PointLawOf<Law>>) {
+      State site_left;
+      State site_right;
+      for_each_component<N>([&](std::size_t k) {
+        site_left[k] = u[static_cast<Index>(k) * stride + owner];
+        site_right[k] = u[static_cast<Index>(k) * stride + neighbour];
+      });
+      const double diffusion =
+          add_diffusion(point_law, site_left, site_right, 1 / row.distance[i], face.value);
+      flux[Out::diffusion * Out::stride + i] = is_open ? density * diffusion : 0.0;
+    }
     for_each_component<N>([&](std::size_t k) {
       flux[static_cast<Index>(k) * Out::stride + i] = is_open ? density * face.value[k] : 0.0;
     });
-    flux[Out::speed * Out::stride + i] = is_open ? face.speed : 0.0;
     flux[Out::drain * Out::stride + i] = is_open ? density * face.speed : 0.0;
-    flux[Out::diffusion * Out::stride + i] = is_open ? density * diffusion : 0.0;
+    fastest[i] = is_open & (face.speed > fastest[i]) ? face.speed : fastest[i];
   }
 }
 

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <scree/tensor.hpp>
+#include <scree/transport/components.hpp>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 
 namespace scree::transport::detail {
 
@@ -14,11 +13,27 @@ namespace scree::transport::detail {
 /// compiler knows the distance between components.
 constexpr Index tile_width = 64;
 
+/// Sites in a whole number of vectors, whatever the instruction set.
+constexpr Index pack_width = 8;
+
+/// Calls work(begin, count) once or twice so that 0 .. total-1 is covered by whole packs, the last of which
+/// may overlap: nothing remains for a loop of single sites but rows shorter than a pack. Work done twice
+/// must give the same.
+template <class Work>
+void in_packs(Index total, Work&& work) noexcept {
+  const Index whole = total < pack_width ? total : total / pack_width * pack_width;
+  if (whole > 0) work(Index{0}, whole);
+  if (whole < total) work(total - pack_width, pack_width);
+}
+
+/// One value for each site or face of a tile, and some to both sides.
+using Lanes = std::array<double, tile_width + 8>;
+
 /// Values at up to tile_width sites or faces, and one to each side: component k of entry i at [k][i + 1].
 template <int N>
 struct Tile {
   static constexpr Index stride = tile_width + 8;  // whole vectors
-  alignas(64) std::array<std::array<double, stride>, static_cast<std::size_t>(N)> values;
+  alignas(64) std::array<Lanes, static_cast<std::size_t>(N)> values;
 
   [[nodiscard]] double* row(int k) noexcept { return values[static_cast<std::size_t>(k)].data() + 1; }
   [[nodiscard]] const double* row(int k) const noexcept {
@@ -26,31 +41,28 @@ struct Tile {
   }
 };
 
-/// Fluxes through the faces of a tile, N components times the face's density, then:
-template <int N>
-struct FluxTile : Tile<N + 3> {
-  static constexpr int speed = N;          ///< largest wave speed, 0 where the face is closed [m/s]
-  static constexpr int drain = N + 1;      ///< density x speed
-  static constexpr int diffusion = N + 2;  ///< density x diffusivity / distance
+/// Fluxes through the faces of a tile, N components times the face's density, then what they drain from
+/// their cells; a row for diffusion where the law has it.
+template <int N, bool IsDiffusive>
+struct FluxTile : Tile<N + (IsDiffusive ? 2 : 1)> {
+  static constexpr int num_rows = N + (IsDiffusive ? 2 : 1);
+  static constexpr bool has_diffusion = IsDiffusive;
+  static constexpr int drain = N;          ///< density x largest wave speed, 0 where the face is closed
+  static constexpr int diffusion = N + 1;  ///< density x diffusivity / distance
 };
 
-/// A running maximum of magnitudes that a NaN does not slip through: the bit patterns of doubles that are
-/// not negative are ordered as the doubles are, infinity and NaN on top.
-class Maximum {
+/// The largest of all numbers that were put into its lanes; NaN if one was not finite.
+class Largest {
  public:
-  void add(const double* values, Index count) noexcept {
-    std::int64_t largest = bits_;
-    for (Index i = 0; i < count; ++i) {
-      largest = std::max(largest, std::bit_cast<std::int64_t>(values[i]) & magnitude);
-    }
-    bits_ = largest;
+  [[nodiscard]] double* lanes() noexcept { return lanes_.data(); }
+  [[nodiscard]] double value() const noexcept {
+    double result = 0;
+    for (const double lane : lanes_) result = larger(result, lane);
+    return result;
   }
-  void add(const Maximum& other) noexcept { bits_ = std::max(bits_, other.bits_); }
-  [[nodiscard]] double value() const noexcept { return std::bit_cast<double>(bits_); }
 
  private:
-  static constexpr std::int64_t magnitude = 0x7fff'ffff'ffff'ffff;
-  std::int64_t bits_ = 0;
+  alignas(64) Lanes lanes_{};
 };
 
 }  // namespace scree::transport::detail

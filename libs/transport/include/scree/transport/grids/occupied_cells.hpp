@@ -1,7 +1,7 @@
 #pragma once
 
-#include <scree/lattice.hpp>
 #include <scree/transport/concepts.hpp>
+#include <scree/transport/grids/cartesian.hpp>
 
 #include <span>
 #include <vector>
@@ -14,10 +14,8 @@ namespace scree::transport {
 /// other, faces to empty sites are closed, and a sliver of mass does not shorten the time step.
 /// @see Eqs. (T10), (M1)
 template <int D>
-class OccupiedCells {
+class OccupiedCells : public Cartesian<D> {
  public:
-  static constexpr int dimension = D;
-
   /// All sites empty.
   explicit OccupiedCells(const Lattice<D>& lattice);
 
@@ -25,12 +23,10 @@ class OccupiedCells {
   /// @throws InputError if their number is not that of the sites, or one is negative or not finite.
   void set_masses(std::span<const double> masses);
 
-  [[nodiscard]] const Lattice<D>& lattice() const noexcept { return lattice_; }
   /// Mass over control volume [kg/m^D]; 0 where empty.
   [[nodiscard]] double density(Index site) const noexcept { return densities_.data()[site]; }
 
  private:
-  Lattice<D> lattice_;
   std::vector<double> densities_;
 };
 
