@@ -1,0 +1,185 @@
+#!/usr/bin/python3
+"""Draws what the demos have computed: one picture of each whose files are in the folder.
+
+plot_demos.py FOLDER
+"""
+
+import argparse
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.image import AxesImage
+
+PLOT = Path(__file__).resolve().parent.parent / "plot"
+sys.path.append(str(PLOT))  # all pictures of scree look alike
+
+from picture import GRAIN_COLOURS, METRES_TO_MM, TIME_COLOURS, WIDE, save  # noqa: E402
+
+METRES_TO_CM = 1e2
+LIMITER_COLOURS = {"minmod": "#4477aa", "van Leer": "#ee7733", "superbee": "#228833"}
+FIELD_COLOURS = "magma"
+OUTLIER_COLOUR = "#00d0ff"  # not in any map of colours
+
+
+class Plane(NamedTuple):
+    """A field on the cells of a rectangle."""
+
+    values: np.ndarray  # [y, x]
+    extent: tuple[float, float, float, float]  # low and high end of x, then of y
+
+    @property
+    def centres(self) -> tuple[np.ndarray, np.ndarray]:
+        """Those of the cells, along x and along y."""
+        left, right, low, high = self.extent
+        num_y, num_x = self.values.shape
+        return centres_between(left, right, num_x), centres_between(low, high, num_y)
+
+
+def centres_between(low: float, high: float, count: int) -> np.ndarray:
+    """The centres of equal cells."""
+    return low + (np.arange(count) + 0.5) * (high - low) / count
+
+
+def read_plane(file: Path) -> Plane:
+    """Reads what write_plane wrote."""
+    with file.open(encoding="utf-8") as text:
+        extent = tuple(map(float, text.readline()[1:].split()))
+        return Plane(np.loadtxt(text, delimiter=","), extent)
+
+
+def read_table(file: Path) -> dict[str, np.ndarray]:
+    """Reads what write_table wrote: columns by their names."""
+    with file.open(encoding="utf-8") as text:
+        names = text.readline().strip().split(",")
+        return dict(zip(names, np.loadtxt(text, delimiter=",", unpack=True)))
+
+
+def show(axes: Axes, plane: Plane, ticks: Sequence[Sequence[float]], **options) -> AxesImage:
+    """Draws a field, each cell in its colour."""
+    image = axes.imshow(plane.values, origin="lower", extent=plane.extent, interpolation="nearest", **options)
+    axes.spines[:].set_visible(False)
+    axes.set(xticks=ticks[0], yticks=ticks[1])
+    return image
+
+
+def draw_contours(axes: Axes, plane: Plane, levels: Sequence[float], **options) -> None:
+    """Draws lines of equal value, thin enough to see what is below."""
+    axes.contour(*plane.centres, plane.values, levels=levels, **{"colors": "white", "linewidths": 0.6} | options)
+
+
+def draw_burgers(folder: Path) -> list[Path]:
+    """The wave as it steepens, and the three limiters at the shock."""
+    waves = read_table(folder / "burgers_waves.csv")
+    exact = read_table(folder / "burgers_exact.csv")
+    limiters = read_table(folder / "burgers_limiters.csv")
+    last = list(waves)[-1]
+    x, fine_x = (centres_between(0, 2 * np.pi, len(u)) for u in (waves[last], exact[last]))
+    figure, (left, right) = plt.subplots(1, 2, figsize=WIDE, layout="constrained", width_ratios=(3, 2))
+    for (time, wave), colour in zip(waves.items(), plt.get_cmap(TIME_COLOURS)(np.linspace(0.8, 0, len(waves)))):
+        left.plot(fine_x, exact[time], color=colour, linewidth=1.8)
+        left.plot(x, wave, "o", color=colour, markersize=6)
+        crest = np.argmax(exact[time])
+        label = f"{float(time):g}" if float(time) > 0 else "t = 0"
+        left.text(fine_x[crest], 1.54, label, color=colour, ha="center", fontweight="bold")
+    left.set(title="A sine becomes a shock", xlabel="x", ylabel="u", xlim=(0, 2 * np.pi), ylim=(-0.6, 1.7))
+    right.plot(fine_x, exact[last], color="black", linewidth=1.8, label="exact")
+    for name, marker in zip(limiters, "so^"):
+        colour = LIMITER_COLOURS[name]
+        right.plot(x, limiters[name], marker, color=colour, label=name, ms=11, mfc="none", mew=2.5)
+    right.set(title="Limiters behind the shock, t = 2", xlabel="x", xlim=(3.1, 4.25), ylim=(1.08, 1.5))
+    right.legend(frameon=False, loc="upper left", borderaxespad=0)
+    return save(figure, folder / "burgers")
+
+
+def draw_euler_riemann(folder: Path) -> list[Path]:
+    """The density of the whole square, and of its middle with contours."""
+    density = read_plane(folder / "euler_riemann.csv")
+    figure, (left, right) = plt.subplots(1, 2, figsize=(15, 7), layout="constrained")
+    show(left, density, [(0, 0.5, 1)] * 2, cmap=FIELD_COLOURS)
+    image = show(right, density, [(0.2, 0.3, 0.4, 0.5)] * 2, cmap=FIELD_COLOURS)
+    draw_contours(right, density, np.linspace(0.16, 1.71, 32))
+    left.set(title="Four shocks meet in the corner of a dense gas", xlabel="x [m]", ylabel="y [m]")
+    right.set(title="The jet that they drive along the diagonal", xlabel="x [m]")
+    right.set(xlim=(0.2, 0.55), ylim=(0.2, 0.55))
+    figure.colorbar(image, ax=right, label="density [kg/m³]", shrink=0.9)
+    return save(figure, folder / "euler_riemann")
+
+
+def draw_slotted_disk(folder: Path) -> list[Path]:
+    """What each limiter leaves after one turn."""
+    start = read_plane(folder / "slotted_disk_start.csv")
+    figure, grid = plt.subplots(2, 2, figsize=(10, 10.6), layout="constrained", sharex=True, sharey=True)
+    figure.suptitle("A slotted disk after one turn, 100 x 100 cells\n(line: its outline, that is u = 1/2, before)")
+    names = {"minmod": "minmod", "van_leer": "van Leer", "mc": "monotonised central", "superbee": "superbee"}
+    for (name, title), axes in zip(names.items(), grid.flat):
+        disk = read_plane(folder / f"slotted_disk_{name}.csv")
+        error = np.abs(disk.values - start.values).sum() / start.values.sum()
+        show(axes, disk, [(0.4, 0.5, 0.6), (0.6, 0.75, 0.9)], cmap=GRAIN_COLOURS, vmin=0, vmax=1)
+        draw_contours(axes, start, [0.5], linewidths=2)
+        axes.set(title=f"{title}: error {error:.2f}", xlim=(0.3, 0.7), ylim=(0.55, 0.95))
+    return save(figure, folder / "slotted_disk")
+
+
+def draw_kpp(folder: Path) -> list[Path]:
+    """The composite wave, right and wrong; what left the bounds stands out."""
+    low, high = np.pi / 4, 14 * np.pi / 4
+    colours = plt.get_cmap(FIELD_COLOURS).with_extremes(under=OUTLIER_COLOUR, over=OUTLIER_COLOUR)
+    figure, both = plt.subplots(1, 2, figsize=(15, 7), layout="constrained", sharey=True)
+    titles = {"right": "Speed bounded between two states", "wrong": "Speed at two states alone (blue: out of bounds)"}
+    for axes, (name, title) in zip(both, titles.items()):
+        wave = read_plane(folder / f"kpp_{name}.csv")
+        image = show(axes, wave, [(-1, 0, 1), (-2, -1, 0, 1)], cmap=colours, vmin=0.999 * low, vmax=1.001 * high)
+        draw_contours(axes, wave, np.linspace(low, high, 22)[1:-1])
+        axes.set(title=title, xlabel="x")
+    both[0].set_ylabel("y")
+    figure.colorbar(image, ax=both, label="u", shrink=0.9)
+    return save(figure, folder / "kpp")
+
+
+def draw_segregation_column(folder: Path) -> list[Path]:
+    """The mean size over height and time, and the exact fronts."""
+    sizes = read_plane(folder / "segregation_column.csv")
+    fronts = read_table(folder / "segregation_fronts.csv")
+    figure, axes = plt.subplots(figsize=WIDE, layout="constrained")
+    low, high, start, end = sizes.extent
+    extent = (start, end, METRES_TO_CM * low, METRES_TO_CM * high)
+    values = METRES_TO_MM * sizes.values.T
+    image = axes.imshow(values, origin="lower", aspect="auto", cmap=GRAIN_COLOURS, extent=extent)
+    axes.plot(fronts["time"], METRES_TO_CM * fronts["front"], ".", color="white", markersize=2.5)
+    heights = METRES_TO_CM * sizes.centres[0]
+    for size in (0.25, 0.5, 0.75, 1):
+        layer = heights[np.isclose(values[:, -1], size, atol=0.02)]
+        colour = "white" if size < 0.6 else "black"
+        axes.text(0.97 * end, layer.mean(), f"{size:g} mm", ha="right", va="center", color=colour, fontweight="bold")
+    axes.set(title="Four sizes sort themselves: scheme (colour) and exact fronts (dots)")
+    axes.set(xlabel="time [s]", ylabel="height [cm]")
+    figure.colorbar(image, label="mean grain size [mm]")
+    return save(figure, folder / "segregation_column")
+
+
+PICTURES: dict[str, Callable[[Path], list[Path]]] = {
+    "burgers_waves.csv": draw_burgers,
+    "euler_riemann.csv": draw_euler_riemann,
+    "kpp_right.csv": draw_kpp,
+    "segregation_column.csv": draw_segregation_column,
+    "slotted_disk_minmod.csv": draw_slotted_disk,
+}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=Path, help="where the demos have written")
+    folder = parser.parse_args().folder
+    for file, draw in PICTURES.items():
+        if (folder / file).exists():
+            for picture in draw(folder):
+                print(picture)
+
+
+if __name__ == "__main__":
+    main()
