@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
@@ -19,6 +20,8 @@ PLOT = Path(__file__).resolve().parent.parent / "plot"
 sys.path.append(str(PLOT))  # all pictures of scree look alike
 
 from picture import GRAIN_COLOURS, METRES_TO_MM, TIME_COLOURS, WIDE, save  # noqa: E402
+
+matplotlib.rcParams["figure.constrained_layout.h_pad"] = 0.12  # [inch], for titles
 
 METRES_TO_CM = 1e2
 LIMITER_COLOURS = {"minmod": "#4477aa", "van Leer": "#ee7733", "superbee": "#228833"}
@@ -96,6 +99,23 @@ def draw_burgers(folder: Path) -> list[Path]:
     return save(figure, folder / "burgers")
 
 
+def draw_dam_break(folder: Path) -> list[Path]:
+    """The depth at three times; cells without water are walls."""
+    colours = plt.get_cmap("GnBu").with_extremes(bad="#4d4237")
+    figure, panels = plt.subplots(3, 1, figsize=(11, 13.4), layout="constrained", sharex=True)
+    for time, axes in enumerate(panels, 1):
+        depth = read_plane(folder / f"dam_break_{time}.csv")
+        water = depth._replace(values=np.ma.masked_equal(depth.values, 0))
+        image = show(axes, water, [(0, 5, 10, 15, 20), (0, 5, 10)], cmap=colours, vmin=0, vmax=2)
+        draw_contours(axes, water, np.arange(0.15, 2, 0.1), colors="black", alpha=0.5)
+        axes.set(ylabel="y [m]")
+        axes.text(19.6, 9.6, f"{time} s", ha="right", va="top", fontweight="bold", color="black")
+    panels[0].set_title("A dam breaks: water, walls and three islands")
+    panels[-1].set_xlabel("x [m]")
+    figure.colorbar(image, ax=panels, label="depth [m]", shrink=0.5)
+    return save(figure, folder / "dam_break")
+
+
 def draw_euler_riemann(folder: Path) -> list[Path]:
     """The density of the whole square, and of its middle with contours."""
     density = read_plane(folder / "euler_riemann.csv")
@@ -164,6 +184,7 @@ def draw_segregation_column(folder: Path) -> list[Path]:
 
 PICTURES: dict[str, Callable[[Path], list[Path]]] = {
     "burgers_waves.csv": draw_burgers,
+    "dam_break_1.csv": draw_dam_break,
     "euler_riemann.csv": draw_euler_riemann,
     "kpp_right.csv": draw_kpp,
     "segregation_column.csv": draw_segregation_column,

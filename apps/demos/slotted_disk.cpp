@@ -51,9 +51,10 @@ std::vector<double> disk_on(const Lattice<2>& cells) {
   for (Index site = 0; site < cells.num_sites(); ++site) {
     const Vector<2> low = cells.position(cells.site(site)) - cells.spacing / 2;
     int inside = 0;
-    for (int k = 0; k < points * points; ++k) {
-      inside +=
-          is_in_disk(low[0] + dx * (k % points + 0.5) / points, low[1] + dx * (k / points + 0.5) / points);
+    for (int i = 0; i < points; ++i) {
+      for (int j = 0; j < points; ++j) {
+        inside += is_in_disk(low[0] + dx * (i + 0.5) / points, low[1] + dx * (j + 0.5) / points);
+      }
     }
     u.push_back(inside / static_cast<double>(points * points));
   }
