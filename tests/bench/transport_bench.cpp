@@ -2,6 +2,7 @@
 #include <scree/transport/integrators.hpp>
 #include <scree/transport/laws/advection.hpp>
 #include <scree/transport/laws/euler.hpp>
+#include <scree/transport/laws/user_law.hpp>
 #include <scree/transport/reconstructions.hpp>
 #include <scree/transport/solver.hpp>
 
@@ -187,9 +188,8 @@ void advection_step(benchmark::State& state) {
 BENCHMARK(advection_step<2>);
 BENCHMARK(advection_step<3>);
 
-/// SSPRK2 steps of a 2D gas, 512 x 512; rate in cell-steps.
-void euler_step(benchmark::State& state) {
-  const Lattice<2> lattice = periodic_lattice<2>(512);
+/// A 2D gas on 512 x 512 cells.
+std::vector<double> gas_on(const Lattice<2>& lattice) {
   const Euler<2> gas;
   std::vector<double> u;
   for (Index i = 0; i < lattice.num_sites(); ++i) {
@@ -197,14 +197,56 @@ void euler_step(benchmark::State& state) {
     const auto cell = gas.state(1 + 0.2 * std::sin(6.283 * (x[0] + x[1])), Vector<2>{0.5, -0.3}, 1);
     u.insert(u.end(), cell.begin(), cell.end());
   }
-  Solver solver{Cartesian<2>{lattice}, gas, PiecewiseLinear{Minmod{}}};
-  const double duration = 7.5 * solver.stable_time_step(u);  // eight steps
+  return u;
+}
 
+/// SSPRK2 steps of it; rate in cell-steps.
+template <class S>
+void gas_steps(benchmark::State& state, const Lattice<2>& lattice, S&& solver) {
+  auto u = gas_on(lattice);
+  const double duration = 7.5 * solver.stable_time_step(u);  // eight steps
   int steps = 0;
   while (state.KeepRunning()) steps += solver.advance(u, duration).substeps;
-
   state.SetItemsProcessed(steps * lattice.num_sites());
 }
+
+void euler_step(benchmark::State& state) {
+  const Lattice<2> lattice = periodic_lattice<2>(512);
+  gas_steps(state, lattice, Solver{Cartesian<2>{lattice}, Euler<2>{}, PiecewiseLinear{Minmod{}}});
+}
 BENCHMARK(euler_step);
+
+/// With the usual reconstruction and flux: primitive variables, kept admissible, central-upwind.
+void euler_usual_step(benchmark::State& state) {
+  const Lattice<2> lattice = periodic_lattice<2>(512);
+  gas_steps(state, lattice, Solver{Cartesian<2>{lattice}, Euler<2>{}});
+}
+BENCHMARK(euler_usual_step);
+
+/// The flux and the speed as a user writes them.
+void user_law_step(benchmark::State& state) {
+  using State = std::array<double, 4>;
+  const double gamma = 1.4;
+  const auto pressure = [=](const State& u) {
+    return (gamma - 1) * (u[3] - 0.5 * (u[1] * u[1] + u[2] * u[2]) / u[0]);
+  };
+  const auto fastest = [=](const State& u, const Vector<2>& normal) {
+    const double speed = (u[1] * normal[0] + u[2] * normal[1]) / u[0];
+    return std::abs(speed) + std::sqrt(gamma * pressure(u) / u[0]);
+  };
+  const auto law = make_law<4, 2>(
+      [=](const State& u, const Vector<2>& normal) {
+        const double p = pressure(u);
+        const double speed = (u[1] * normal[0] + u[2] * normal[1]) / u[0];
+        return State{u[0] * speed, u[1] * speed + p * normal[0], u[2] * speed + p * normal[1],
+                     (u[3] + p) * speed};
+      },
+      [=](const State& left, const State& right, const Vector<2>& normal) {
+        return larger(fastest(left, normal), fastest(right, normal));
+      });
+  const Lattice<2> lattice = periodic_lattice<2>(512);
+  gas_steps(state, lattice, Solver{Cartesian<2>{lattice}, law, PiecewiseLinear{Minmod{}}});
+}
+BENCHMARK(user_law_step);
 
 }  // namespace

@@ -1,19 +1,12 @@
 #include <scree/error.hpp>
 #include <scree/transport/detail/not_finite.hpp>
-
-#include <sstream>
+#include <scree/transport/detail/place.hpp>
 
 namespace scree::transport::detail {
 
 template <int D>
 void throw_not_finite(const Indices<D>& site, const Vector<D>& position) {
-  std::ostringstream text;
-  text << "transport: the rate of change is not finite at site (";
-  for (std::size_t axis = 0; axis < D; ++axis) text << (axis == 0 ? "" : ", ") << site[axis];
-  text << "), position (";
-  for (int axis = 0; axis < D; ++axis) text << (axis == 0 ? "" : ", ") << position[axis];
-  text << ") m";
-  throw RunError{text.str()};
+  throw RunError{"transport: the rate of change is not finite at " + place_text<D>(site, position)};
 }
 
 template void throw_not_finite<1>(const Indices<1>&, const Vector<1>&);

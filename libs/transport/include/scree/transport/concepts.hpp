@@ -30,9 +30,10 @@ concept Limiter = Named<L> && std::copyable<L> && requires(const L limiter, doub
 };
 
 /// A conservation law at one point: its flux along a unit normal, and a bound of |wave speed| for every
-/// state between two (the whole interval, not its ends alone, where the flux is not convex).  Eq. (T1)
+/// state between two (the whole interval, not its ends alone, where the flux is not convex). It need not be
+/// assignable, which a lambda with captures is not.  Eq. (T1)
 template <class L, int D>
-concept PointLaw = std::copyable<L> &&
+concept PointLaw = std::copy_constructible<L> &&
     requires(const L law, const typename L::State& u, const Vector<D>& normal) {
   requires std::same_as < typename L::State, std::array < double, static_cast<std::size_t>(L::num_components)
   >> ;
@@ -116,7 +117,7 @@ using PointLawOf =
     std::remove_cvref_t<decltype(law_at(std::declval<const L&>(), std::declval<const Face&>()))>;
 
 template <class L, int D>
-concept ConservationLaw = std::copyable<L> && PointLaw<PointLawOf<L>, D>;
+concept ConservationLaw = std::copy_constructible<L> && PointLaw<PointLawOf<L>, D>;
 
 /// Combines a law with the states on both sides of a face.  Eq. (T3)
 template <class F, class Law, int D>

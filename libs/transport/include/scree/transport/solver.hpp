@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/error.hpp>
+#include <scree/transport/detail/admissible_states.hpp>
 #include <scree/transport/detail/solver_checks.hpp>
 #include <scree/transport/fluxes/kurganov_tadmor.hpp>
 #include <scree/transport/grids/cartesian.hpp>
@@ -8,11 +9,16 @@
 #include <scree/transport/time/cfl.hpp>
 #include <scree/transport/time/ssp_rk2.hpp>
 #include <scree/transport/time/stages.hpp>
+#include <scree/transport/usual_scheme.hpp>
+#include <scree/transport/warning.hpp>
 
 #include <algorithm>
+#include <concepts>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace scree::transport {
 
@@ -60,6 +66,12 @@ class Solver {
     detail::require_start_time(time_);
   }
 
+  /// With the usual reconstruction and, if its type is not written out, the usual flux for the law.
+  /// @throws as the other.
+  Solver(Grid grid, Law law,
+         Options options = {}) requires std::same_as<Reconstruct, UsualReconstruction<Law>>
+      : Solver{std::move(grid), law, usual_reconstruction(law), SspRk2{}, std::move(options)} {}
+
   /// The largest CFL number at which bounds are kept: of a scalar law what the reconstruction promises,
   /// else at most 1/2.  Eq. (T9)
   [[nodiscard]] static double promised_cfl(const Reconstruct& reconstruction) noexcept {
@@ -69,17 +81,30 @@ class Solver {
 
   [[nodiscard]] Grid& grid() noexcept { return semi_discrete_.problem().grid; }
   [[nodiscard]] Law& law() noexcept { return semi_discrete_.problem().law; }
+  /// What the parts of the scheme cannot prove: to show to people. Mostly there is nothing.
+  [[nodiscard]] static std::vector<std::string_view> warnings() {
+    std::vector<std::string_view> result;
+    const auto add = [&]<class Part>(std::type_identity<Part> /*part*/) {
+      if constexpr (HasWarning<Part>) result.push_back(Part::warning);
+    };
+    add(std::type_identity<PointLawOf<Law>>{});
+    add(std::type_identity<Reconstruct>{});
+    add(std::type_identity<Flux>{});
+    return result;
+  }
   /// Start time and all that was advanced since [s].
   [[nodiscard]] double time() const noexcept { return time_; }
 
   /// Advances `u` by `duration` [s].
   /// @param u num_sites x num_components, component fastest; not written at empty sites.
-  /// @throws InputError for a wrong length or duration. @throws RunError if a value is not finite; then `u`
-  /// and the time are as they were.
+  /// @throws InputError for a wrong length or duration, or a state that the law does not admit.
+  /// @throws RunError if a value is not finite, or a state no longer admissible; then `u` and the time are as
+  /// they were.
   Advance advance(std::span<double> u, double duration) {
     detail::require_size(u.size(), num_sites(), N);
     detail::require_duration(duration);
     now_.gather(u, semi_discrete_.threads());
+    detail::require_admissible<InputError>(semi_discrete_, now_);
     Advance result;
     double remaining = duration;
     while (remaining > 0) {
@@ -87,6 +112,7 @@ class Solver {
       detail::require_progress(dt, duration);
       remaining = dt < remaining ? remaining - dt : 0;
     }
+    detail::require_admissible<RunError>(semi_discrete_, now_);
     now_.scatter(u, semi_discrete_.threads(), [&](Index site) { return semi_discrete_.holds(site); });
     time_ += duration;
     return result;
@@ -97,7 +123,8 @@ class Solver {
   [[nodiscard]] double stable_time_step(std::span<const double> u) {
     detail::require_size(u.size(), num_sites(), N);
     now_.gather(u, semi_discrete_.threads());
-    return longest_step(semi_discrete_(now_, rates_, time_).limit, cfl_);
+    detail::require_admissible<InputError>(semi_discrete_, now_);
+    return longest_step(rates_of(now_, time_).limit, cfl_);
   }
 
  private:
@@ -106,17 +133,32 @@ class Solver {
 
   [[nodiscard]] Index num_sites() const noexcept { return semi_discrete_.num_sites(); }
 
+  /// Runs a sweep over some states. Where a rate is not finite, a state that cannot be is the better reason.
+  template <class Sweep>
+  StepBounds explained(const Storage& states, Sweep&& sweep) {
+    try {
+      return sweep();
+    } catch (const RunError&) {
+      detail::require_admissible<RunError>(semi_discrete_, states);
+      throw;
+    }
+  }
+
+  StepBounds rates_of(const Storage& states, double time) {
+    return explained(states, [&] { return semi_discrete_(states, rates_, time); });
+  }
+
   /// One step of at most `remaining`. Should a later stage be so fast that the step breaks the promised CFL
   /// number there, the step is taken again, shorter. @return its length [s]
   double step(double time, double remaining, Advance& result) {
-    StepBounds bounds = semi_discrete_(now_, rates_, time);
+    StepBounds bounds = rates_of(now_, time);
     result.stable_dt = longest_step(bounds.limit, cfl_);
     double dt = next_step(remaining, bounds.limit, cfl_);
     for (;;) {
       const double limit = run_stages(time, dt, bounds, result);
       if (is_stable(dt, limit, promised_cfl_)) break;
       dt = usual_part * longest_step(limit, cfl_);
-      bounds = semi_discrete_(now_, rates_, time);
+      bounds = rates_of(now_, time);
     }
     ++result.substeps;
     return dt;
@@ -145,11 +187,12 @@ class Solver {
   /// long. In one pass where the grid can: each stage reads and writes all states once less.
   StepBounds advance_stage(double kept, double dt, double time, Storage& next) {
     if constexpr (requires { semi_discrete_.advance_stage(stage_, now_, rates_, kept, dt, time); }) {
-      const StepBounds bounds = semi_discrete_.advance_stage(stage_, now_, rates_, kept, dt, time);
+      const StepBounds bounds = explained(
+          stage_, [&] { return semi_discrete_.advance_stage(stage_, now_, rates_, kept, dt, time); });
       if (is_stable(dt, bounds.limit, promised_cfl_)) std::swap(next, rates_);
       return bounds;
     } else {
-      const StepBounds bounds = semi_discrete_(stage_, rates_, time);
+      const StepBounds bounds = rates_of(stage_, time);
       if (is_stable(dt, bounds.limit, promised_cfl_)) combine(kept, dt, stage_, next);
       return bounds;
     }
@@ -180,5 +223,10 @@ class Solver {
   Storage rates_;
   double time_;
 };
+template <LatticeGrid Grid, class Law>
+Solver(Grid, Law) -> Solver<Grid, Law, UsualReconstruction<Law>, UsualFlux<Law, Grid::dimension>>;
+template <LatticeGrid Grid, class Law>
+Solver(Grid, Law, SolverOptions<Grid, PointLawOf<Law>::num_components>)
+    -> Solver<Grid, Law, UsualReconstruction<Law>, UsualFlux<Law, Grid::dimension>>;
 
 }  // namespace scree::transport

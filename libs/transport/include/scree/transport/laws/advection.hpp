@@ -14,7 +14,7 @@ struct Advection {
   static constexpr int num_components = 1;
   using State = std::array<double, 1>;
 
-  Vector<D> velocity;  ///< [m/s]
+  Vector<D> velocity = Vector<D>::Ones();  ///< [m/s]
 
   [[nodiscard]] State flux(const State& u, const Vector<D>& normal) const noexcept {
     return {dot(velocity, normal) * u[0]};

@@ -11,7 +11,8 @@
 namespace scree::transport {
 
 /// Buckley-Leverett's fractional flow of two fluids in a porous rock, f(u) = u^2/(u^2 + M (1 - u)^2) along
-/// every axis, 0 <= u <= 1. Not convex: the largest speed may lie between two states.
+/// every axis, 0 <= u <= 1. Not convex: the largest speed may lie between two states. With gravity:
+/// BuckleyLeverettGravity.
 /// @see Eq. (T14), \cite buckley1942
 class BuckleyLeverett {
  public:
@@ -43,6 +44,19 @@ class BuckleyLeverett {
     return std::abs(sum(normal)) * larger(std::abs(slope(fastest)), 0 * (left[0] + right[0]));
   }
 
+  /// The smallest f' of an interval is at one of its ends.
+  template <int D>
+  [[nodiscard]] SpeedRange speed_range(const State& left, const State& right,
+                                       const Vector<D>& normal) const noexcept {
+    const double direction = sum(normal);
+    const double slowest = -larger(-slope(left[0]), -slope(right[0]));
+    const double fastest =
+        slope(std::min(std::max(inflexion_, std::min(left[0], right[0])), std::max(left[0], right[0])));
+    const double one = direction * slowest;
+    const double other = direction * fastest;
+    return {-larger(-one, -other), larger(one, other)};
+  }
+
  private:
   [[nodiscard]] double slope(double u) const noexcept {
     const double total = u * u + M_ * (1 - u) * (1 - u);
@@ -52,6 +66,6 @@ class BuckleyLeverett {
   double M_;
   double inflexion_;  // 2 u^3 - 3 u^2 + M/(1 + M) = 0
 };
-static_assert(ConservationLaw<BuckleyLeverett, 1>);
+static_assert(ConservationLaw<BuckleyLeverett, 1> && HasSpeedRange<BuckleyLeverett, 2>);
 
 }  // namespace scree::transport

@@ -6,14 +6,17 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace scree::transport {
 
 /// Euler's equations of an ideal gas: density [kg/m^3], momentum [kg/(m^2 s)] and total energy [J/m^3], in
-/// this order.
+/// this order. The primitive variables are density, velocity [m/s] and pressure [Pa].
 ///
-/// Near vacuum second-order slopes of these variables give states with negative pressure; their speed of
-/// sound is NaN, which the solver reports.  Eq. (T15)
+/// Near vacuum second-order slopes of the conserved variables give states with negative pressure; slopes of
+/// the primitive ones do not (InPrimitives). The speed of sound of a state that cannot be is NaN, which the
+/// solver reports.
+/// @see Eqs. (T15), (T17)
 template <int D>
 class Euler {
  public:
@@ -27,18 +30,15 @@ class Euler {
 
   /// The conserved state of a gas of density [kg/m^3], velocity [m/s] and pressure [Pa].
   [[nodiscard]] State state(double density, const Vector<D>& velocity, double pressure) const noexcept {
-    State u;
-    u[0] = density;
-    for_each_component<D>(
-        [&](std::size_t axis) { u[1 + axis] = density * velocity[static_cast<int>(axis)]; });
-    u[D + 1] = pressure / (gamma_ - 1) + 0.5 * density * velocity.squaredNorm();
-    return u;
+    State w;
+    w[0] = density;
+    for_each_component<D>([&](std::size_t axis) { w[1 + axis] = velocity[static_cast<int>(axis)]; });
+    w[D + 1] = pressure;
+    return conserved(w);
   }
 
   [[nodiscard]] double pressure(const State& u) const noexcept {
-    double squares = 0;
-    for_each_component<D>([&](std::size_t axis) { squares += u[1 + axis] * u[1 + axis]; });
-    return (gamma_ - 1) * (u[D + 1] - 0.5 * squares / u[0]);
+    return (gamma_ - 1) * (u[D + 1] - 0.5 * squared_momentum(u) / u[0]);
   }
 
   [[nodiscard]] State flux(const State& u, const Vector<D>& normal) const noexcept {
@@ -52,13 +52,65 @@ class Euler {
     return f;
   }
 
-  /// |v.n| + c of the faster side.
+  /// |v.n| + c of the faster side: enough for positive density and pressure, though a strong shock between
+  /// both states can be faster.
   [[nodiscard]] double max_speed(const State& left, const State& right,
                                  const Vector<D>& normal) const noexcept {
     return larger(fastest(left, normal), fastest(right, normal));
   }
 
+  /// From the smaller v.n - c to the larger v.n + c of both sides.
+  [[nodiscard]] SpeedRange speed_range(const State& left, const State& right,
+                                       const Vector<D>& normal) const noexcept {
+    const double v_left = normal_momentum(left, normal) / left[0];
+    const double v_right = normal_momentum(right, normal) / right[0];
+    const double c_left = sound_speed(left);
+    const double c_right = sound_speed(right);
+    return {-larger(c_left - v_left, c_right - v_right), larger(v_left + c_left, v_right + c_right)};
+  }
+
+  /// The same gas, its velocity along the normal turned round.
+  [[nodiscard]] State mirror(const State& u, const Vector<D>& normal) const noexcept {
+    const double momentum = normal_momentum(u, normal);
+    State mirrored = u;
+    for_each_component<D>(
+        [&](std::size_t axis) { mirrored[1 + axis] -= 2 * momentum * normal[static_cast<int>(axis)]; });
+    return mirrored;
+  }
+
+  /// Whether density and pressure are positive.
+  [[nodiscard]] bool is_admissible(const State& u) const noexcept {
+    const bool has_mass = u[0] > 0;
+    const bool has_heat = u[0] * u[D + 1] > 0.5 * squared_momentum(u);
+    return has_mass & has_heat;  // both, without a branch
+  }
+
+  /// Density, velocity and pressure of a conserved state.
+  [[nodiscard]] State primitive(const State& u) const noexcept {
+    const double per_density = 1 / u[0];
+    State w;
+    w[0] = u[0];
+    for_each_component<D>([&](std::size_t axis) { w[1 + axis] = u[1 + axis] * per_density; });
+    w[D + 1] = (gamma_ - 1) * (u[D + 1] - 0.5 * squared_momentum(u) * per_density);
+    return w;
+  }
+
+  /// The inverse of primitive().
+  [[nodiscard]] State conserved(const State& w) const noexcept {
+    State u;
+    u[0] = w[0];
+    for_each_component<D>([&](std::size_t axis) { u[1 + axis] = w[0] * w[1 + axis]; });
+    u[D + 1] = w[D + 1] / (gamma_ - 1) + 0.5 * w[0] * squared_momentum(w);  // here: squared velocity
+    return u;
+  }
+
  private:
+  [[nodiscard]] static double squared_momentum(const State& u) noexcept {
+    double squares = 0;
+    for_each_component<D>([&](std::size_t axis) { squares += u[1 + axis] * u[1 + axis]; });
+    return squares;
+  }
+
   [[nodiscard]] static double normal_momentum(const State& u, const Vector<D>& normal) noexcept {
     double momentum = 0;
     for_each_component<D>(
@@ -66,12 +118,20 @@ class Euler {
     return momentum;
   }
 
+  /// [m/s]; NaN for a state that cannot be, one with negative density and pressure included.
+  [[nodiscard]] double sound_speed(const State& u) const noexcept {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    return std::sqrt(gamma_ * pressure(u) / (u[0] > 0 ? u[0] : nan));
+  }
+
   [[nodiscard]] double fastest(const State& u, const Vector<D>& normal) const noexcept {
-    return std::abs(normal_momentum(u, normal) / u[0]) + std::sqrt(gamma_ * pressure(u) / u[0]);
+    return std::abs(normal_momentum(u, normal) / u[0]) + sound_speed(u);
   }
 
   double gamma_;
 };
 static_assert(ConservationLaw<Euler<1>, 1> && ConservationLaw<Euler<2>, 2> && ConservationLaw<Euler<3>, 3>);
+static_assert(HasSpeedRange<Euler<2>, 2> && HasMirror<Euler<2>, 2>);
+static_assert(HasAdmissibleStates<Euler<2>> && HasPrimitives<Euler<2>>);
 
 }  // namespace scree::transport
