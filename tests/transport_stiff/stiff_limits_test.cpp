@@ -35,7 +35,9 @@ struct Relaxed {
 Relaxed relax(double epsilon, ImexMethod method, Index n) {
   const Lattice<1> lattice = test::line(n, 0, 1);
   std::vector<double> u(static_cast<std::size_t>(n), 0.0);
-  StiffSolver solver{Cartesian<1>{lattice}, Relaxing{epsilon}, second_order, {.method = method}};
+  StiffOptions<Cartesian<1>, 1> options;
+  options.method = method;
+  StiffSolver solver{Cartesian<1>{lattice}, Relaxing{epsilon}, second_order, options};
   const ImexReport report = solver.advance(u, 0.5);
   double error = 0;
   for (Index i = 0; i < n; ++i) {

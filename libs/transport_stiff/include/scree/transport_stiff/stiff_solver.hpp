@@ -58,7 +58,7 @@ class StiffSolver {
               StiffOptions<Grid, PointLawOf<Law>::num_components> options = {}, Flux flux = {})
       : time_{options.start_time} {
     const double promised = promised_cfl(reconstruction);
-    const double cfl = options.cfl.value_or(usual_part * promised);
+    const double cfl = options.cfl ? *options.cfl : usual_part * promised;
     detail::require_cfl(cfl, promised);
     detail::require_start_time(time_);
     parts_ = std::make_unique<Parts>(
