@@ -43,7 +43,8 @@ TEST(Euler, HasNoSpeedForAStateThatCannotBe) {  // negative density and pressure
 
 TEST(Euler, AdmitsPositiveDensityAndPressureOnly) {
   const Euler<2> gas;
-  EXPECT_TRUE(gas.is_admissible(gas.state(1e-300, Vector<2>{0, 0}, 1e-300)));
+  EXPECT_TRUE(gas.is_admissible(gas.state(1e-150, Vector<2>{0, 0}, 1e-150)));   // their product: 2.5e-300
+  EXPECT_FALSE(gas.is_admissible(gas.state(1e-170, Vector<2>{0, 0}, 1e-170)));  // underflows
   EXPECT_FALSE(gas.is_admissible({0, 0, 0, 1}));
   EXPECT_FALSE(gas.is_admissible({1, 1, 1, 1}));     // all energy is motion: no pressure
   EXPECT_TRUE(gas.is_admissible({1, 1, 1, 1.001}));  // a little more

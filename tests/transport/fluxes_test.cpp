@@ -5,6 +5,7 @@
 #include <scree/transport/laws/buckley_leverett.hpp>
 #include <scree/transport/laws/burgers.hpp>
 #include <scree/transport/laws/euler.hpp>
+#include <scree/transport/laws/user_law.hpp>
 
 #include <cmath>
 
@@ -67,7 +68,11 @@ TEST(KurganovNoellePetrova, IsUpwindWhereAllWavesGoOneWay) {  // Eq. (T16)
 }
 
 TEST(KurganovNoellePetrova, IsKurganovTadmorForALawThatBoundsItsSpeedAlone) {
-  const BuckleyLeverett law;
+  const BuckleyLeverett flow;
+  const auto law =
+      make_law<1, 1>([&](const std::array<double, 1>& u, const Vector<1>& n) { return flow.flux(u, n); },
+                     [&](const std::array<double, 1>& left, const std::array<double, 1>& right,
+                         const Vector<1>& n) { return flow.max_speed(left, right, n); });
   const Vector<1> normal{1.0};
   const auto one = KurganovNoellePetrova{}(law, {0.2}, {0.7}, normal);
   const auto other = KurganovTadmor{}(law, {0.2}, {0.7}, normal);

@@ -78,7 +78,7 @@ class Euler {
     return mirrored;
   }
 
-  /// Whether density and pressure are positive.
+  /// Whether density and pressure are positive, and density x energy no less than 1e-308 in SI units.
   [[nodiscard]] bool is_admissible(const State& u) const noexcept {
     const bool has_mass = u[0] > 0;
     const bool has_heat = u[0] * u[D + 1] > 0.5 * squared_momentum(u);
