@@ -32,8 +32,6 @@ template <class Law>
   const Minmod limiter{usual_theta};
   if constexpr (KeepsSum<Point>) {
     return PiecewiseLinearCommon{limiter, 1.0};
-  } else if constexpr (FaceDependent<Law>) {
-    return PiecewiseLinear{limiter};
   } else if constexpr (HasPrimitives<Law> && HasAdmissibleStates<Law>) {
     return Admissible{InPrimitives{PiecewiseLinear{limiter}, law}, law};
   } else if constexpr (HasPrimitives<Law>) {
