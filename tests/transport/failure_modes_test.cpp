@@ -81,67 +81,6 @@ TEST(Staircase, StaysWithSuperbee) {
   EXPECT_NEAR(staircase(Superbee{}, SspRk2{}), 2.49, 0.13);
 }
 
-/// f = 16 u^2 (1 - u)^2: no speed at 0 nor at 1, but between.
-struct Hump {
-  static constexpr int num_components = 1;
-  using State = std::array<double, 1>;
-  bool looks_between;
-
-  static double slope(double u) { return 32 * u * (1 - u) * (1 - 2 * u); }
-
-  State flux(const State& u, const Vector<1>& normal) const noexcept {
-    return {normal[0] * std::pow(4 * u[0] * (1 - u[0]), 2)};
-  }
-  double max_speed(const State& left, const State& right, const Vector<1>& /*normal*/) const noexcept {
-    double speed = std::max(std::abs(slope(left[0])), std::abs(slope(right[0])));
-    if (!looks_between) return speed;
-    for (const double steepest : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)}) {
-      if ((left[0] - steepest) * (right[0] - steepest) < 0)
-        speed = std::max(speed, std::abs(slope(steepest)));
-    }
-    return speed;
-  }
-};
-
-std::vector<double> step_down(Index n, bool looks_between) {
-  const Lattice<1> lattice = test::line(n, -2, 2, false);
-  std::vector<double> u(static_cast<std::size_t>(n), 0.0);
-  std::fill(u.begin(), u.begin() + n / 2, 1.0);
-  Solver solver{
-      Cartesian<1>{lattice}, Hump{looks_between}, PiecewiseLinear{Minmod{2}}, SspRk2{}, {.cfl = 0.4}};
-  solver.advance(u, 0.5);
-  return u;
-}
-
-/// Averages of the exact solution: u(x/t) = argmax_w f(w) - w x/t, by differences of its potential.
-std::vector<double> exact_step_down(const Lattice<1>& lattice, double time) {
-  return test::averages(lattice, [&](double x) {
-    double largest = 0;
-    for (int i = 0; i <= 4000; ++i) {
-      const double w = i / 4000.0;
-      largest = std::max(largest, std::pow(4 * w * (1 - w), 2) - w * x / time);
-    }
-    return -time * largest;
-  });
-}
-
-TEST(SpeedBetweenTwoStates, IsMissedAtTheEnds) {  // the jump is frozen: error 1 on every grid
-  for (const Index n : {120, 240}) {
-    const Lattice<1> lattice = test::line(n, -2, 2, false);
-    const auto exact = exact_step_down(lattice, 0.5);
-    EXPECT_NEAR(test::l1(step_down(n, false), exact, lattice.spacing[0]), 1.0, 1e-3);  // sampling of w
-  }
-}
-
-TEST(SpeedBetweenTwoStates, MakesTheWaveRightWhenBounded) {  // first order at the shocks
-  const auto error = [](Index n) {
-    const Lattice<1> lattice = test::line(n, -2, 2, false);
-    return test::l1(step_down(n, true), exact_step_down(lattice, 0.5), lattice.spacing[0]);
-  };
-  EXPECT_LE(error(240), 0.7e-2);
-  EXPECT_LE(error(960), 0.7 * error(240));
-}
-
 /// A cell of width alpha dx among cells of dx, stepped with dt = 0.4 dx, first order: stable while the
 /// small cell's own number, dt/(alpha dx), is below 2.
 double largest_beside_small_cell(double alpha) {
@@ -164,7 +103,7 @@ double largest_beside_small_cell(double alpha) {
   return largest;
 }
 
-TEST(SmallCell, BlowsUpBelowAFifthOfTheOthers) {  // 0.4/2; slivers of mass do not: see OccupiedCells
+TEST(SmallCell, BlowsUpBelowAFifthOfTheOthers) {  // 0.4/2; slivers of mass do not: see failure_modes/small_cell_test.cpp
   EXPECT_LE(largest_beside_small_cell(0.21), 1 + 1e-12);
   EXPECT_GE(largest_beside_small_cell(0.15), 1e10);
 }

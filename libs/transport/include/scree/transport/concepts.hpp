@@ -127,7 +127,8 @@ concept NumericalFlux = Named<F> && std::copyable<F> &&
   noexcept->std::same_as<FaceFlux<typename Law::State>>;
 };
 
-/// The values at the two faces of a cell along a line, from three cells. Bounded by them, mean kept.
+/// The values at the two faces of a cell along a line, from three cells. Bounded by them, unless it says that
+/// it is not.
 ///
 /// Where a neighbour is missing or empty it is called with three equal states.
 /// `promised_cfl()` is the largest CFL number at which bounds and total variation are kept.  Eq. (T9)
@@ -138,6 +139,18 @@ concept Reconstruction = Named<R> && std::copyable<R> &&
   noexcept->std::same_as<Edges<std::array<double, static_cast<std::size_t>(N)>>>;
   { reconstruction.promised_cfl() }
   noexcept->std::same_as<double>;
+};
+
+/// Whether a reconstruction is right for cells of equal width only.
+template <class R>
+constexpr bool needs_equal_cells = requires {
+  requires R::needs_equal_cells;
+};
+
+/// Whether a reconstruction may leave the bounds of the three cells.
+template <class R>
+constexpr bool leaves_bounds = requires {
+  requires R::leaves_bounds;
 };
 
 /// The flux out through a boundary face, from the state inside and the face. A closed boundary lets nothing

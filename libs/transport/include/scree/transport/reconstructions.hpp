@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/transport/limiters.hpp>
+#include <scree/transport/reconstructions/cweno3.hpp>
 #include <scree/transport/reconstructions/piecewise_constant.hpp>
 #include <scree/transport/reconstructions/piecewise_linear.hpp>
 #include <scree/transport/reconstructions/piecewise_linear_common.hpp>
@@ -12,6 +13,7 @@ namespace scree::transport {
 using ReconstructionList = TypeList<  //
     PiecewiseConstant,                //
     PiecewiseLinear<Minmod>,          //
-    PiecewiseLinearCommon<Minmod>>;
+    PiecewiseLinearCommon<Minmod>,    //
+    Cweno3>;
 
 }  // namespace scree::transport

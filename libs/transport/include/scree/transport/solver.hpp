@@ -73,10 +73,10 @@ class Solver {
          Options options = {}) requires std::same_as<Reconstruct, UsualReconstruction<Law>>
       : Solver{std::move(grid), law, usual_reconstruction(law), SspRk2{}, std::move(options)} {}
 
-  /// The largest CFL number at which bounds are kept: of a scalar law what the reconstruction promises,
-  /// else at most 1/2.  Eq. (T9)
+  /// The largest CFL number at which bounds are kept: of a scalar law that is the same everywhere what the
+  /// reconstruction promises, else at most 1/2.  Eq. (T9)
   [[nodiscard]] static double promised_cfl(const Reconstruct& reconstruction) noexcept {
-    constexpr bool is_simple = N == 1 && !Diffusive<PointLawOf<Law>>;
+    constexpr bool is_simple = N == 1 && !Diffusive<PointLawOf<Law>> && !FaceDependent<Law>;
     return is_simple ? reconstruction.promised_cfl() : std::min(0.5, reconstruction.promised_cfl());
   }
 

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "lines.hpp"
+
+#include <scree/transport/integrators.hpp>
+#include <scree/transport/reconstructions.hpp>
+
+#include <stdexcept>
+#include <string>
+
+namespace scree::transport::test {
+
+/// Calls visit(limiter) with the limiter that a table calls `name`; minmod with its theta, as "minmod 1.3".
+template <class Visit>
+decltype(auto) with_limiter(const std::string& name, Visit&& visit) {
+  if (name == "centred") return visit(Centred{});
+  if (name.starts_with("minmod ")) return visit(Minmod{std::stod(name.substr(7))});
+  if (name == VanLeer::name) return visit(VanLeer{});
+  if (name == VanAlbada::name) return visit(VanAlbada{});
+  if (name == Superbee::name) return visit(Superbee{});
+  throw std::runtime_error{"no limiter " + name};
+}
+
+/// The same with a reconstruction: a line with that limiter, or another one of that name.
+template <class Visit>
+decltype(auto) with_reconstruction(const std::string& name, Visit&& visit) {
+  if (name == Cweno3::name) return visit(Cweno3{});
+  return with_limiter(name, [&](const auto& limiter) { return visit(PiecewiseLinear{limiter}); });
+}
+
+inline Stages stages(const std::string& name) {
+  if (name == SspRk2::name) return SspRk2{};
+  if (name == SspRk3::name) return SspRk3{};
+  if (name == ForwardEuler::name) return ForwardEuler{};
+  throw std::runtime_error{"no integrator " + name};
+}
+
+/// A reconstruction that promises a CFL number of one: for tables that were made beyond what can be promised.
+template <class R>
+struct Unchecked : R {
+  explicit Unchecked(const R& reconstruction) : R{reconstruction} {}
+  [[nodiscard]] double promised_cfl() const noexcept { return 1; }
+};
+
+/// Advances by steps of full length and one of what is left, as the code behind the tables does. (A solver by
+/// itself makes them equal; where a shock sits in its cell at the end depends on it.)
+template <class Solver>
+void advance_in_full_steps(Solver&& solver, std::vector<double>& u, double duration) {
+  double remaining = duration;
+  while (remaining > 0) {
+    const double dt = std::min(solver.stable_time_step(u), remaining);
+    solver.advance(u, dt);
+    remaining -= dt;
+    if (remaining < duration * 1e-12) remaining = 0;
+  }
+}
+
+}  // namespace scree::transport::test
