@@ -29,6 +29,16 @@ concept Limiter = Named<L> && std::copyable<L> && requires(const L limiter, doub
   noexcept->std::same_as<double>;
 };
 
+/// The factor of a cell's gradient, 0 to 1, from what it may change by towards a face and what it wants to,
+/// both >= 0, in a cell of a width [m]. Does not fall in `allowed`, does not rise in `wanted`.  Eq. (T33)
+template <class L>
+concept CellLimiter = Named<L> && std::copyable<L> &&
+    requires(const L limiter, double allowed, double wanted, double width) {
+  { L::keeps_bounds } -> std::convertible_to<bool>;
+  { limiter(allowed, wanted, width) }
+  noexcept->std::same_as<double>;
+};
+
 /// A conservation law at one point: its flux along a unit normal, and a bound of |wave speed| for every
 /// state between two (the whole interval, not its ends alone, where the flux is not convex). It need not be
 /// assignable, which a lambda with captures is not.  Eq. (T1)
@@ -111,10 +121,43 @@ template <class L>
   }
 }
 
+/// The same on grids of any cells: `at(face)` of a GridFace.
+template <class L, int D>
+concept GridFaceDependent = requires(const L law, const GridFace<D>& face) {
+  { law.at(face) }
+  noexcept;
+};
+
+template <int D, class L>
+[[nodiscard]] constexpr decltype(auto) law_at(const L& law, const GridFace<D>& face) noexcept {
+  if constexpr (GridFaceDependent<L, D>) {
+    return law.at(face);
+  } else {
+    return (law);
+  }
+}
+
+namespace detail {
+/// Only for its type.
+template <class L>
+constexpr decltype(auto) point_law_of(const L& law) noexcept {
+  if constexpr (FaceDependent<L>) {
+    return law.at(Face{});
+  } else if constexpr (GridFaceDependent<L, 1>) {
+    return law.at(GridFace<1>{});
+  } else if constexpr (GridFaceDependent<L, 2>) {
+    return law.at(GridFace<2>{});
+  } else if constexpr (GridFaceDependent<L, 3>) {
+    return law.at(GridFace<3>{});
+  } else {
+    return (law);
+  }
+}
+}  // namespace detail
+
 /// The point law of a law: itself, or what its `at(face)` returns.
 template <class L>
-using PointLawOf =
-    std::remove_cvref_t<decltype(law_at(std::declval<const L&>(), std::declval<const Face&>()))>;
+using PointLawOf = std::remove_cvref_t<decltype(detail::point_law_of(std::declval<const L&>()))>;
 
 template <class L, int D>
 concept ConservationLaw = std::copy_constructible<L> && PointLaw<PointLawOf<L>, D>;

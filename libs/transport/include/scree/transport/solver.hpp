@@ -6,6 +6,7 @@
 #include <scree/transport/fluxes/kurganov_tadmor.hpp>
 #include <scree/transport/grids/cartesian.hpp>
 #include <scree/transport/semi_discrete.hpp>
+#include <scree/transport/semi_discrete_faces.hpp>
 #include <scree/transport/time/cfl.hpp>
 #include <scree/transport/time/ssp_rk2.hpp>
 #include <scree/transport/time/stages.hpp>
