@@ -156,7 +156,7 @@ TEST(SlottedDisk, KeepsItsBounds) {  // a law that differs from face to face
 
 /// An advected quantity that cannot be negative.
 struct Positive : Advection<2> {
-  static bool is_admissible(const State& u) noexcept { return u[0] >= 0; }
+  static bool is_admissible(const State& u) noexcept { return u[0] >= -rounding; }
 };
 
 TEST(AdmissibleStates, AreKeptWithoutALimiter) {  // Eq. (T35): states at all faces admissible, so is the next
