@@ -5,10 +5,30 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <new>
 #include <span>
 #include <vector>
 
 namespace scree::transport {
+
+namespace detail {
+
+/// Memory that starts a line of the cache, so that whole vectors do not straddle two.
+template <class T>
+struct LineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t line{64};
+
+  LineAllocator() = default;
+  template <class U>
+  LineAllocator(const LineAllocator<U>& /*other*/) noexcept {}  // not explicit: allocators are rebound
+
+  [[nodiscard]] T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
+  void deallocate(T* memory, std::size_t n) noexcept { ::operator delete(memory, n * sizeof(T), line); }
+  [[nodiscard]] bool operator==(const LineAllocator& /*other*/) const noexcept { return true; }
+};
+
+}  // namespace detail
 
 /// N values per site, one contiguous row of all sites per component, so that loops over sites run over
 /// neighbours in memory. (Callers keep theirs the other way round, component fastest.)
@@ -16,7 +36,9 @@ template <int N>
 class Fields {
  public:
   explicit Fields(Index num_sites)
-      : num_sites_{num_sites}, stride_{num_sites + padding}, values_(static_cast<std::size_t>(N * stride_)) {}
+      : num_sites_{num_sites},
+        stride_{(num_sites + padding) / per_line * per_line},
+        values_(static_cast<std::size_t>(N * stride_)) {}
 
   [[nodiscard]] Index num_sites() const noexcept { return num_sites_; }
   /// Distance between two components of one site.
@@ -55,8 +77,10 @@ class Fields {
   }
 
  private:
-  // Rows that start a power of two apart would share their places in the cache: five lines more.
-  static constexpr Index padding = 40;
+  // Rows start a line of the cache. A power of two apart they would share their places in it: some lines
+  // more.
+  static constexpr Index per_line = 8;
+  static constexpr Index padding = 47;
   static constexpr Index chunk = 4096;
 
   [[nodiscard]] std::size_t offset(int component, Index site) const noexcept {
@@ -71,7 +95,7 @@ class Fields {
 
   Index num_sites_;
   Index stride_;
-  std::vector<double> values_;
+  std::vector<double, detail::LineAllocator<double>> values_;
 };
 
 }  // namespace scree::transport

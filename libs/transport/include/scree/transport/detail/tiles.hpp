@@ -26,18 +26,22 @@ void in_packs(Index total, Work&& work) noexcept {
   if (whole < total) work(total - pack_width, pack_width);
 }
 
-/// One value for each site or face of a tile, and some to both sides.
-using Lanes = std::array<double, tile_width + 8>;
+/// One value for each site or face of a tile, and room for one to each side that leaves the rest in place:
+/// vectors that start with the tile never straddle two lines of the cache.
+using Lanes = std::array<double, tile_width + 2 * pack_width>;
 
-/// Values at up to tile_width sites or faces, and one to each side: component k of entry i at [k][i + 1].
+/// Values at up to tile_width sites or faces, and one to each side: component k of entry i at
+/// [k][i + pack_width].
 template <int N>
 struct Tile {
-  static constexpr Index stride = tile_width + 8;  // whole vectors
+  static constexpr Index stride = tile_width + 2 * pack_width;
   alignas(64) std::array<Lanes, static_cast<std::size_t>(N)> values;
 
-  [[nodiscard]] double* row(int k) noexcept { return values[static_cast<std::size_t>(k)].data() + 1; }
+  [[nodiscard]] double* row(int k) noexcept {
+    return values[static_cast<std::size_t>(k)].data() + pack_width;
+  }
   [[nodiscard]] const double* row(int k) const noexcept {
-    return values[static_cast<std::size_t>(k)].data() + 1;
+    return values[static_cast<std::size_t>(k)].data() + pack_width;
   }
 };
 
