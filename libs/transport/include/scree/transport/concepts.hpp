@@ -209,6 +209,7 @@ concept Boundary = Named<B> && std::copyable<B> &&
 
 /// Control volumes in rows, columns and layers, each filled with a density of its own; no density, no site.
 /// Sites are numbered with the first axis fastest; a site has one coordinate per axis, from 0 on.
+/// `is_full` says that all densities are 1, `has_equal_spacing` that cells of an axis have equal extents.
 ///
 /// `width(axis, coordinate)` is the extent of the sites with this coordinate [m], `distance_below` the
 /// distance to the site below, round the end of a periodic axis, and `end` where a boundary lies [m].
@@ -218,6 +219,7 @@ concept LatticeGrid = std::copyable<G> &&
     requires(const G grid, int axis, Index coordinate, const Indices<G::dimension>& site) {
   { G::dimension } -> std::convertible_to<int>;
   { G::has_equal_spacing } -> std::convertible_to<bool>;
+  { G::is_full } -> std::convertible_to<bool>;
   { grid.count() }
   noexcept->std::convertible_to<Indices<G::dimension>>;
   { grid.is_periodic() }

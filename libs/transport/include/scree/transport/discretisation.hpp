@@ -3,6 +3,8 @@
 #include <scree/transport/boundaries.hpp>
 #include <scree/transport/concepts.hpp>
 
+#include <algorithm>
+
 namespace scree::transport {
 
 /// The boundaries that a kind of grid asks for; each kind says so for itself.
@@ -13,6 +15,20 @@ template <LatticeGrid Grid, int N>
 struct BoundariesOf<Grid, N> {
   using type = BoxBoundaries<Grid::dimension, N>;
 };
+
+/// The largest CFL number at which a reconstruction keeps bounds and total variation of a scalar on a kind
+/// of grid. Where cells are unequal a face may go as far as its neighbour's value, whatever the sharpness
+/// theta = 2 (1/CFL - 1) of the limiter: 1/2, unless there are no slopes.  Eqs. (T9), (T62)
+template <class Grid, class R>
+[[nodiscard]] double promised_cfl_on(const R& reconstruction) noexcept {
+  const double promised = reconstruction.promised_cfl();
+  if constexpr (LatticeGrid<Grid>) {
+    if constexpr (!Grid::has_equal_spacing) {
+      return std::min(promised, 1 / (1 + std::min(1.0, 2 * (1 / promised - 1))));
+    }
+  }
+  return promised;
+}
 
 /// All that decides du/dt: where, what, and how it is approximated.
 template <class G, class L, class R, class F>

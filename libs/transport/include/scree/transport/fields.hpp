@@ -24,7 +24,7 @@ struct LineAllocator {
   LineAllocator(const LineAllocator<U>& /*other*/) noexcept {}  // not explicit: allocators are rebound
 
   [[nodiscard]] T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
-  void deallocate(T* memory, std::size_t n) noexcept { ::operator delete(memory, n * sizeof(T), line); }
+  void deallocate(T* memory, std::size_t /*n*/) noexcept { ::operator delete(memory, line); }
   [[nodiscard]] bool operator==(const LineAllocator& /*other*/) const noexcept { return true; }
 };
 

@@ -78,7 +78,8 @@ class Solver {
   /// reconstruction promises, else at most 1/2.  Eq. (T9)
   [[nodiscard]] static double promised_cfl(const Reconstruct& reconstruction) noexcept {
     constexpr bool is_simple = N == 1 && !Diffusive<PointLawOf<Law>> && !FaceDependent<Law>;
-    return is_simple ? reconstruction.promised_cfl() : std::min(0.5, reconstruction.promised_cfl());
+    const double promised = promised_cfl_on<Grid>(reconstruction);
+    return is_simple ? promised : std::min(0.5, promised);
   }
 
   [[nodiscard]] Grid& grid() noexcept { return semi_discrete_.problem().grid; }

@@ -20,28 +20,37 @@ struct AxisFluxes {
   Weight per_width;  ///< Eq. (T2)
   Weight of_larger;  ///< Eq. (T9)
   Weight of_both;
+  const double* walls =
+      nullptr;  ///< what the closed parts of both faces add, a WallTile; for laws that reflect
 
   [[nodiscard]] AxisFluxes part(Index begin) const noexcept {
-    return {low + begin, high + begin, per_width + begin, of_larger + begin, of_both + begin};
+    return {low + begin, high + begin, per_width + begin, of_larger + begin, of_both + begin, walls + begin};
   }
 
+  template <bool HasWalls>
   [[nodiscard]] double outflow(std::size_t k, Index i) const noexcept {
     const Index entry = static_cast<Index>(k) * Tile<1>::stride + i;
-    return per_width[i] * (high[entry] - low[entry]);
+    double passed = high[entry] - low[entry];
+    if constexpr (HasWalls) passed += walls[entry];
+    return per_width[i] * passed;
   }
 
   /// Density x CFL number per second.  Eq. (T9)
-  template <class Fluxes>
+  template <class Fluxes, bool HasWalls>
   [[nodiscard]] double limit(Index i) const noexcept {
-    const Index drain = Fluxes::drain * Fluxes::stride + i;
-    const double result =
-        of_larger[i] * std::max(low[drain], high[drain]) + of_both[i] * (low[drain] + high[drain]);
+    double drain_low = low[Fluxes::drain * Fluxes::stride + i];
+    double drain_high = high[Fluxes::drain * Fluxes::stride + i];
+    if constexpr (HasWalls) {
+      using Walls = WallTile<Fluxes::drain>;
+      drain_low += walls[Walls::drain_low * Walls::stride + i];
+      drain_high += walls[Walls::drain_high * Walls::stride + i];
+    }
+    double result = of_larger[i] * std::max(drain_low, drain_high) + of_both[i] * (drain_low + drain_high);
     if constexpr (Fluxes::has_diffusion) {
       const Index diffusion = Fluxes::diffusion * Fluxes::stride + i;
-      return result + per_width[i] * (low[diffusion] + high[diffusion]);
-    } else {
-      return result;
+      result += per_width[i] * (low[diffusion] + high[diffusion]);
     }
+    return result;
   }
 };
 
@@ -59,29 +68,43 @@ struct TileFluxes {
   }
 };
 
+/// What a balance has, known when compiled.
+template <class FluxTile, bool HasSources, bool HasWalls>
+struct BalanceParts {
+  using Fluxes = FluxTile;
+  static constexpr int num_components = FluxTile::drain;
+  static constexpr bool has_sources = HasSources;
+  static constexpr bool has_walls = HasWalls;
+};
+
 /// Writes du/dt of `count` sites from `first` on, and their limits of dt, which a du/dt that is not finite
 /// makes NaN.  Eqs. (T2), (T9), (T10)
 ///
 /// @param write called as write(component, site, rate)
 /// @param worst largest limit met in each lane so far
-template <class Fluxes, bool HasSources, int N, class Grid, int D, class Write>
+template <class Parts, class Grid, int D, class Write>
 [[gnu::noinline, gnu::flatten]] void balance(const Grid& grid, Index first, Index count,
                                              const TileFluxes<D>& tile_fluxes, const Write& writer,
                                              double* __restrict limits, double* __restrict worst) noexcept {
+  using Fluxes = typename Parts::Fluxes;
+  constexpr bool has_walls = Parts::has_walls;
   const TileFluxes<D> fluxes = tile_fluxes;  // copies, which no store through a pointer can change
   const Write write = writer;
 #pragma GCC ivdep
   for (Index i = 0; i < count; ++i) {
     const double density = grid.density(first + i);
     const double per_density = density > 0 ? 1 / density : 0.0;
-    double limit = fluxes.along.template limit<Fluxes>(i);
+    double limit = fluxes.along.template limit<Fluxes, has_walls>(i);
     for_each_component<D - 1>(
-        [&](std::size_t axis) { limit += fluxes.across[axis].template limit<Fluxes>(i); });
+        [&](std::size_t axis) { limit += fluxes.across[axis].template limit<Fluxes, has_walls>(i); });
     double sum = 0;
-    for_each_component<N>([&](std::size_t k) {
-      double outflow = fluxes.along.outflow(k, i);
-      for_each_component<D - 1>([&](std::size_t axis) { outflow += fluxes.across[axis].outflow(k, i); });
-      if constexpr (HasSources) outflow -= fluxes.sources[static_cast<Index>(k) * Tile<1>::stride + i];
+    for_each_component<Parts::num_components>([&](std::size_t k) {
+      double outflow = fluxes.along.template outflow<has_walls>(k, i);
+      for_each_component<D - 1>(
+          [&](std::size_t axis) { outflow += fluxes.across[axis].template outflow<has_walls>(k, i); });
+      if constexpr (Parts::has_sources) {
+        outflow -= fluxes.sources[static_cast<Index>(k) * Tile<1>::stride + i];
+      }
       const double rate = -outflow * per_density;
       write(static_cast<Index>(k), first + i, rate);
       sum += rate;

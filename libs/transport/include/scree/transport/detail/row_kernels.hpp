@@ -74,6 +74,9 @@ struct FaceRow {
   }
 };
 
+template <class Distance>
+FaceRow(Index, Index, Index, int, Distance) -> FaceRow<Distance>;
+
 /// What a point law's diffusion sends through a face, from the values at the sites.  Eq. (T11)
 /// @return its share of the limit of dt [m/s]
 template <class Law, class State>
@@ -129,7 +132,8 @@ template <class Grid, class Law, class Flux, int N, class Distance>
       flux[static_cast<Index>(k) * Out::stride + i] = is_open ? density * face.value[k] : 0.0;
     });
     flux[Out::drain * Out::stride + i] = is_open ? density * face.speed : 0.0;
-    fastest[i] = is_open & (face.speed > fastest[i]) ? face.speed : fastest[i];
+    const bool is_fastest = is_open & (face.speed > fastest[i]);
+    fastest[i] = is_fastest ? face.speed : fastest[i];
   }
 }
 

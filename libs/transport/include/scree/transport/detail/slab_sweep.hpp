@@ -4,6 +4,7 @@
 #include <scree/transport/detail/numbering.hpp>
 #include <scree/transport/detail/row_balance.hpp>
 #include <scree/transport/detail/row_kernels.hpp>
+#include <scree/transport/detail/wall_kernel.hpp>
 #include <scree/transport/discretisation.hpp>
 
 #include <cmath>
@@ -91,6 +92,8 @@ class SlabSweep {
   using State = typename Problem::State;
   using Grid = typename Problem::Grid;
   using Fluxes = FluxTile<N, Diffusive<PointLawOf<Law>>>;
+  static constexpr bool has_walls = HasMirror<PointLawOf<Law>, D> && !Grid::is_full;
+  using Parts = BalanceParts<Fluxes, HasSource<Law, D>, has_walls>;
   using Geometry = AxisGeometry<Grid::has_equal_spacing>;
   /// What the sweep carries from one row to the next along an axis.
   struct Line {
@@ -195,14 +198,19 @@ class SlabSweep {
   /// Reconstruction at the sites of one tile of a row along the row itself; its end sites have neighbours
   /// of their own.
   void reconstruct_tile(const Problem& problem, const Fields<N>& fields, Index start, Index tile) noexcept {
-    const Index last = numbering_.count[0] - 1;
     const Index begin = tile * tile_width;
-    const Index end = begin + count_of(tile);
     const auto part = [&](Index from, Index to) {
       if (from >= to) return;
       reconstruct_row(problem, fields, stencil_along(start, from, to - from), low_.row(0) + (from - begin),
                       high_.row(0) + (from - begin));
     };
+    for_each_part(begin, begin + count_of(tile), part);
+  }
+
+  /// Cuts sites begin .. end - 1 of a row into those with neighbours beside them and the row's end sites.
+  template <class Part>
+  void for_each_part(Index begin, Index end, Part&& part) const noexcept {
+    const Index last = numbering_.count[0] - 1;
     part(begin, std::min<Index>(end, 1));
     part(std::max<Index>(begin, 1), std::min(end, last));
     part(std::max<Index>({begin, last, 1}), end);
@@ -316,13 +324,46 @@ class SlabSweep {
       fluxes.across[a - 1] = geometry(axis).fluxes_across(
           next->flux.row(0), line(place, axis, tile)->flux.row(0), place.site[a]);
     }
+    if constexpr (has_walls) {
+      fluxes.along.walls = find_walls(problem, fields, place, 0, tile);
+      for (int axis = 1; axis < D; ++axis) {
+        fluxes.across[static_cast<std::size_t>(axis - 1)].walls =
+            find_walls(problem, fields, place, axis, tile);
+      }
+    }
     if constexpr (HasSource<Law, D>) find_sources(problem, fields, place, tile);
     const Index first = place.start + tile * tile_width;
     in_packs(count_of(tile), [&](Index begin, Index count) {
-      balance<Fluxes, HasSource<Law, D>, N>(problem.grid, first + begin, count, fluxes.part(begin), write,
-                                            limits_.data() + begin, largest_limit_.lanes() + begin);
+      balance<Parts>(problem.grid, first + begin, count, fluxes.part(begin), write, limits_.data() + begin,
+                     largest_limit_.lanes() + begin);
     });
     if (is_looking_for_faults_) look_for_faults(first, count_of(tile));
+  }
+
+  /// What the walls along `axis` do to the sites of a tile.  Eq. (T65)
+  [[nodiscard]] const double* find_walls(const Problem& problem, const Fields<N>& fields, const Place& place,
+                                         int axis, Index tile) noexcept {
+    const Index begin = tile * tile_width;
+    const Index end = begin + count_of(tile);
+    double* walls = walls_[static_cast<std::size_t>(axis)].row(0);
+    const auto part = [&](Index from, Index to) {
+      if (from >= to) return;
+      const Index coordinate = axis == 0 ? from : place.site[static_cast<std::size_t>(axis)];
+      const Index here = place.start + from;
+      const WallRow row{numbering_.neighbour(here, coordinate, axis, -1),
+                        here,
+                        numbering_.neighbour(here, coordinate, axis, 1),
+                        to - from,
+                        axis,
+                        geometry(axis).distance_beyond(End::low)};
+      reflect_at_walls(problem, fields, row, walls + (from - begin));
+    };
+    if (axis == 0) {
+      for_each_part(begin, end, part);
+    } else {
+      part(begin, end);
+    }
+    return walls;
   }
 
   /// What enters by a source: density x rate.  Eq. (T1)
@@ -356,6 +397,7 @@ class SlabSweep {
   Tile<N> high_{};
   Tile<N> unwanted_{};
   Tile<N> sources_{};
+  std::array<WallTile<N>, has_walls ? D : 0> walls_{};
   alignas(64) Lanes limits_{};
   Largest largest_limit_{};
   Largest largest_speed_{};

@@ -55,6 +55,14 @@ struct FluxTile : Tile<N + (IsDiffusive ? 2 : 1)> {
   static constexpr int diffusion = N + 1;  ///< density x diffusivity / distance
 };
 
+/// What the closed parts of both faces of each site along an axis add: N components of the flux out through
+/// both, times the density behind the wall, and the drains of each.  Eq. (T65)
+template <int N>
+struct WallTile : Tile<N + 2> {
+  static constexpr int drain_low = N;
+  static constexpr int drain_high = N + 1;
+};
+
 /// The largest of all numbers that were put into its lanes; NaN if one was not finite.
 class Largest {
  public:

@@ -10,6 +10,7 @@ template <int D>
 class Cartesian {
  public:
   static constexpr int dimension = D;
+  static constexpr bool is_full = true;  ///< density 1 everywhere, known when compiled
   static constexpr bool has_equal_spacing = true;
 
   // Not explicit: a lattice is a grid, and may stand where one is asked for.
@@ -20,6 +21,8 @@ class Cartesian {
   [[nodiscard]] const std::array<bool, D>& is_periodic() const noexcept { return lattice_.is_periodic; }
   [[nodiscard]] Vector<D> position(const Indices<D>& site) const noexcept { return lattice_.position(site); }
 
+  /// Control volume of a site [m^D].
+  [[nodiscard]] double volume(const Indices<D>& site) const noexcept { return lattice_.volume(site); }
   /// Extent of the control volumes with this coordinate [m].
   [[nodiscard]] double width(int axis, Index coordinate) const noexcept {
     Indices<D> site{};

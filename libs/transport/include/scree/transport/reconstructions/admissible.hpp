@@ -53,6 +53,12 @@ struct Admissible {
     return result;
   }
 
+  /// The same round another reconstruction, such as one for unequal cells.
+  template <class Other>
+  [[nodiscard]] Admissible<Other, Law> around(const Other& other) const noexcept {
+    return {other, law};
+  }
+
   /// Half the part of the cell that stands behind its faces: 1/2 where the mean is kept, else 2/5.  Eq. (T24)
   [[nodiscard]] double promised_cfl() const noexcept {
     return std::min(keeps_mean ? 0.5 : part_in_edges / 2, reconstruction.promised_cfl());

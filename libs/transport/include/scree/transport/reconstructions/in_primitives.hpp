@@ -31,6 +31,12 @@ struct InPrimitives {
     return {law.conserved(edges.low), law.conserved(edges.high)};
   }
 
+  /// The same round another reconstruction, such as one for unequal cells.
+  template <class Other>
+  [[nodiscard]] InPrimitives<Other, Law> around(const Other& other) const noexcept {
+    return {other, law};
+  }
+
   [[nodiscard]] double promised_cfl() const noexcept { return reconstruction.promised_cfl(); }
 };
 template <class R, class Law>

@@ -49,17 +49,17 @@ struct PiecewiseLinearCommon {
   /// Coupled components keep their bounds up to 1/2, whatever the limiter.  Eq. (T9)
   [[nodiscard]] double promised_cfl() const noexcept { return 0.5; }
 
+  /// Differences of a component that are rounding only.
+  [[nodiscard]] double noise_of(double here) const noexcept {
+    return 4 * round_off * std::max(std::abs(here), scale);
+  }
+
  private:
   /// Not divided until the smallest is known.
   struct Ratio {
     double numerator;
     double denominator;
   };
-
-  /// Differences of a component that are rounding only.
-  [[nodiscard]] double noise_of(double here) const noexcept {
-    return 4 * round_off * std::max(std::abs(here), scale);
-  }
 
   /// The smaller of `alpha` and the part of the central difference that the limiter allows a component. One
   /// that varies by no more than its noise asks for nothing: it must not flatten the others.
