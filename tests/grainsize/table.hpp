@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gtest/gtest.h>
+#include <scree/error.hpp>
 
 #include <cstddef>
 #include <fstream>
@@ -12,9 +12,10 @@
 namespace scree::test {
 
 /// The rows of a comma-separated file in tests/data, as text; comments (#) and the line of titles left out.
+/// @throws InputError if there is no such file.
 [[nodiscard]] inline std::vector<std::vector<std::string>> read_table(const std::string& name) {
   std::ifstream file{std::string{SCREE_TEST_DATA "/"} + name};
-  EXPECT_TRUE(file.is_open()) << name;
+  if (!file.is_open()) throw InputError{"there is no table " + name};
   std::vector<std::vector<std::string>> rows;
   bool is_title = true;
   for (std::string line; std::getline(file, line);) {

@@ -1,0 +1,127 @@
+#pragma once
+
+#include "cpu_time.hpp"
+#include "record.hpp"
+#include "schemes.hpp"
+
+#include <scree/error.hpp>
+#include <scree/transport/fluxes.hpp>
+#include <scree/transport/integrators.hpp>
+#include <scree/transport/solver.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace scree::charts {
+
+/// An initial-value problem on one grid, with its exact solution.
+template <class Grid, class Law>
+struct Case {
+  static constexpr int D = Grid::dimension;
+  static constexpr int N = transport::PointLawOf<Law>::num_components;
+
+  Grid grid;
+  Law law;
+  transport::BoxBoundaries<D, N> boundaries;
+  std::vector<double> start;  ///< cell averages, num_sites x N, component fastest
+  std::vector<double> exact;  ///< of the first component at the end, one per site
+  double duration;            ///< [s]
+};
+
+/// Faces through which something may pass: those on walls are closed and cost nothing.
+template <class Grid, class Law>
+[[nodiscard]] Index num_faces(const Case<Grid, Law>& problem) {
+  const auto& lattice = problem.grid.lattice();
+  Index faces = 0;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(Grid::dimension); ++axis) {
+    Index along = lattice.count[axis];
+    if (!lattice.is_periodic[axis]) {
+      along -= 1;
+      for (const auto& end : problem.boundaries[axis]) {
+        along += std::visit([](const auto& boundary) { return boundary.is_closed ? 0 : 1; }, end);
+      }
+    }
+    faces += along * (lattice.num_sites() / lattice.count[axis]);
+  }
+  return faces;
+}
+
+/// sum_i V_i |u_i - exact_i| of the first component.
+template <class Grid, class Law>
+[[nodiscard]] double l1_error(const Case<Grid, Law>& problem, const std::vector<double>& u) {
+  double sum = 0;
+  for (std::size_t i = 0; i < problem.exact.size(); ++i) {
+    sum += std::abs(u[i * Case<Grid, Law>::N] - problem.exact[i]);
+  }
+  return sum * problem.grid.lattice().spacing.prod();
+}
+
+/// Runs one scheme on one problem put on the grid at one or more places. The error is the mean over the
+/// places, the cost that at the first: a shock's error depends on where in its cell it stands.
+template <class Flux, class Grid, class Law, class R>
+void measure(const std::vector<Case<Grid, Law>>& places, const R& reconstruction, transport::Stages stages,
+             const Effort& effort, Record& record) {
+  using Solver = transport::Solver<Grid, Law, R, Flux>;
+  record.cfl = 0.9 * Solver::promised_cfl(reconstruction);
+  double error = 0;
+  try {
+    for (const auto& place : places) {
+      Solver solver{
+          place.grid, place.law, reconstruction, stages, {.cfl = record.cfl, .boundaries = place.boundaries}};
+      std::vector<double> u;
+      transport::Advance advance;
+      const auto run = [&] {
+        u = place.start;
+        advance = solver.advance(u, place.duration);
+      };
+      if (&place == &places.front()) {
+        record.cpu_seconds = best_cpu_seconds(run, effort);
+        record.steps = advance.substeps;
+        record.flux_evaluations =
+            num_faces(place) * static_cast<Index>(stages.kept.size()) * advance.substeps;
+      } else {
+        run();
+      }
+      error += l1_error(place, u);
+    }
+    record.l1 = error / static_cast<double>(places.size());
+  } catch (const RunError&) {  // states that cannot be: a result like any other
+    record.cpu_seconds = std::numeric_limits<double>::quiet_NaN();
+    record.l1 = std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+/// Runs every scheme that the library lists: reconstruction x limiter x flux x integrator, each at the CFL
+/// number that a solver takes unless told otherwise.
+/// @param places the problem, see measure()
+template <class Grid, class Law>
+[[nodiscard]] std::vector<Record> run_every_scheme(const std::string& problem, Index n,
+                                                   const std::vector<Case<Grid, Law>>& places,
+                                                   const Effort& effort) {
+  std::vector<Record> records;
+  for_each_reconstruction<Case<Grid, Law>::N>(
+      [&]<class R>(const R& reconstruction, const std::string& limiter) {
+        transport::for_each_entry(transport::FluxList{}, [&]<class Flux>() {
+          transport::for_each_entry(transport::IntegratorList{}, [&]<class Integrator>() {
+            Record record{problem,
+                          std::string{R::name},
+                          std::string{Flux::name},
+                          limiter,
+                          std::string{Integrator::name},
+                          n,
+                          0,
+                          0,
+                          0,
+                          0,
+                          0};
+            measure<Flux>(places, reconstruction, Integrator{}, effort, record);
+            records.push_back(record);
+          });
+        });
+      });
+  return records;
+}
+
+}  // namespace scree::charts
