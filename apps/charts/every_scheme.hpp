@@ -10,6 +10,7 @@
 #include <scree/transport/solver.hpp>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -25,9 +26,10 @@ struct Case {
   Grid grid;
   Law law;
   transport::BoxBoundaries<D, N> boundaries;
-  std::vector<double> start;  ///< cell averages, num_sites x N, component fastest
-  std::vector<double> exact;  ///< of the first component at the end, one per site
-  double duration;            ///< [s]
+  std::vector<double> start;                 ///< cell averages, num_sites x N, component fastest
+  std::vector<double> exact;                 ///< of the first component at the end, one per site
+  double duration;                           ///< [s]
+  std::function<void()> before_run = [] {};  ///< called before each run
 };
 
 /// Faces through which something may pass: those on walls are closed and cost nothing.
@@ -73,6 +75,7 @@ void measure(const std::vector<Case<Grid, Law>>& places, const R& reconstruction
       std::vector<double> u;
       transport::Advance advance;
       const auto run = [&] {
+        place.before_run();
         u = place.start;
         advance = solver.advance(u, place.duration);
       };

@@ -14,12 +14,7 @@ constexpr Index quick_fine = 800;
 
 /// A shock of Mach 3 at x = -4 that runs to the right into density waves 1 + 0.2 sin 5x.
 GasCase shock_and_waves(Index n) {
-  GasCase problem{line(n, -5, 5, false),
-                  transport::Euler<1>{},
-                  {{{transport::Outflow{}, transport::Outflow{}}}},
-                  {},
-                  {},
-                  1.8};
+  GasCase problem = between_open_ends(line(n, -5, 5, false), 1.8);
   const auto waves = averages(problem.grid.lattice(), [](double x) { return x - 0.2 / 5 * std::cos(5 * x); });
   for (Index i = 0; i < n; ++i) {
     const bool is_behind = 10 * (i + 1) <= n;  // of the shock
@@ -38,6 +33,7 @@ std::vector<double> reference(Index n) {
                            transport::SspRk2{},
                            {.boundaries = problem.boundaries},
                            transport::KurganovNoellePetrova{}};
+  problem.before_run();
   solver.advance(problem.start, problem.duration);
   std::vector<double> densities;
   for (std::size_t i = 0; i < problem.start.size(); i += 3) densities.push_back(problem.start[i]);

@@ -74,12 +74,7 @@ std::vector<Record> sod(const Extent& extent) {
   const SodSolution solution;
   std::vector<Record> records;
   for (const Index n : doublings(50, 5, extent)) {
-    GasCase problem{line(n, -0.5, 0.5, false),
-                    transport::Euler<1>{},
-                    {{{transport::Outflow{}, transport::Outflow{}}}},
-                    {},
-                    {},
-                    duration};
+    GasCase problem = between_open_ends(line(n, -0.5, 0.5, false), duration);
     for (Index i = 0; i < n; ++i) append(problem.start, i < n / 2 ? left : right);
     problem.exact = averages(problem.grid.lattice(), [&](double x) { return solution.mass_below(x); });
     std::ranges::copy(run_gas("sod", n, problem, extent.effort), std::back_inserter(records));
