@@ -1,0 +1,132 @@
+"""The picture of error against cost of all schemes on one problem."""
+
+import textwrap
+from collections.abc import Sequence
+from itertools import chain
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import LogLocator, NullFormatter
+
+from pareto import pareto_front
+from picture import WIDE, save, spread  # beside the plotting script, which transport_accuracy makes known
+from transport_choice import Cost, evaluations, seconds
+from transport_runs import PLANES, TITLES, Line, Scheme
+
+COLOURS = {  # by limiter, the same in all pictures; dark enough for white paper
+    "minmod(1)": "#7a5c99",
+    "minmod(1.3)": "#1f5fa8",
+    "minmod(2)": "#b3202c",
+    "van_leer": "#0f8a6c",
+    "superbee": "#c46a00",
+    "van_albada": "#6b6b00",
+    "": "#1a1a1a",
+}
+SPARE_COLOUR = "#008a9e"  # of limiters that came later
+LINES = {"forward_euler": ":", "ssp_rk2": "-", "ssp_rk3": "--"}
+LABEL_FONT = 15
+LABEL_HEIGHT = 0.062  # [-], of a panel
+SMALL_FONT = 13
+MOST_LABELS = 14
+UNITS = {
+    "sod": "L1 error of the density",
+    "shu_osher": "L1 error of the density",
+    "slotted_disk": "L1 error / area of the disk",
+    "segregation_two_sizes": "L1 error of all fractions",
+    "segregation_five_sizes": "L1 error of all fractions",
+}
+KEY = "grey band: no other run is both cheaper and more accurate    solid: RK2, dashed: RK3, dotted: forward Euler"
+
+
+def draw_chart(problem: str, lines: Sequence[Line], finding: str, remark: str, stem: Path) -> list[Path]:
+    """Draws the errors over both costs, and writes PNG and SVG."""
+    figure, panels = plt.subplots(1, 2, figsize=WIDE, sharey=True)
+    figure.subplots_adjust(left=0.085, right=0.775, top=0.74, bottom=0.17, wspace=0.06)
+    shown = _lines_on_fronts(lines)
+    for axes, cost in zip(panels, (seconds, evaluations)):
+        axes.set(xscale="log", yscale="log")
+        _draw_panel(axes, lines, shown, cost)
+    panels[0].set(xlabel="CPU time [s]", ylabel=UNITS.get(problem, "L1 error"))
+    panels[1].set(xlabel="flux evaluations (faces x stages x steps)")
+    for axes in panels:
+        _draw_orders(axes, 3 if problem in PLANES else 2)
+        axes.yaxis.set_minor_formatter(NullFormatter())
+        axes.xaxis.set_major_locator(LogLocator(numticks=7))
+    _label_lines(panels[1], shown)
+    _write(figure, 0.965, f"{TITLES.get(problem, problem)}: {finding}", 18, "black", 100)
+    _write(figure, 0.03, KEY, SMALL_FONT, "0.35", 140)
+    _write(figure, 0.835, remark, SMALL_FONT, "0.35", 138)
+    return save(figure, stem)
+
+
+def _write(figure: plt.Figure, height: float, text: str, size: int, colour: str, width: int) -> None:
+    lines = textwrap.fill(text, width)
+    va = "top" if height > 0.5 else "center"
+    figure.text(0.012, height, lines, fontsize=size, color=colour, va=va, linespacing=1.25)
+
+
+def _lines_on_fronts(lines: Sequence[Line]) -> list[Line]:
+    """The lines that have a run on the front of either cost."""
+    runs = [(line, i) for line in lines for i in range(len(line.errors))]
+    errors = [line.errors[i] for line, i in runs]
+    on_front = set()
+    for cost in (seconds, evaluations):
+        on_front.update(runs[run][0].scheme for run in pareto_front([cost(line)[i] for line, i in runs], errors))
+    return [line for line in lines if line.scheme in on_front]
+
+
+def _draw_panel(axes: Axes, lines: Sequence[Line], shown: Sequence[Line], cost: Cost) -> None:
+    costs = list(chain.from_iterable(cost(line) for line in lines))
+    errors = list(chain.from_iterable(line.errors for line in lines))
+    front = pareto_front(costs, errors)
+    x, y = [costs[run] for run in front], [errors[run] for run in front]
+    axes.plot(x, y, color="0.86", linewidth=15, solid_capstyle="round", marker="o", markersize=15, zorder=0)
+    for line in lines:
+        if line not in shown:
+            axes.plot(cost(line), line.errors, color="0.72", linewidth=0.8, zorder=1)
+    for line in shown:
+        style = LINES.get(line.scheme.integrator, "-.")
+        axes.plot(cost(line), line.errors, style, color=_colour(line.scheme), linewidth=2.2, marker="o", markersize=5)
+
+
+def _colour(scheme: Scheme) -> str:
+    return COLOURS.get(scheme.limiter, SPARE_COLOUR)
+
+
+def _draw_orders(axes: Axes, dimensions: int) -> None:
+    """Thin lines with the slopes of orders 1 to 3, below the front; cost is cells^dimensions x steps."""
+    low, high = np.log10(axes.get_xlim()), np.log10(axes.get_ylim())
+    start = np.array([low[0] + 0.06 * (low[1] - low[0]), high[0] + 0.42 * (high[1] - high[0])])
+    for order in (1, 2, 3):
+        slope = -order / dimensions
+        reach = min(0.2 * (low[1] - low[0]), 0.34 * (high[1] - high[0]) / -slope)
+        end = start + reach * np.array([1, slope])
+        axes.plot(*10 ** np.array([start, end]).T, color="0.55", linewidth=0.9, zorder=0)
+        axes.annotate(f"{order}", 10**end, xytext=(3, -3), textcoords="offset points", fontsize=11, color="0.45")
+    axes.annotate(
+        "order", 10**start, xytext=(0, 4), textcoords="offset points", fontsize=11, color="0.45", ha="center"
+    )
+    axes.set(xlim=10**low, ylim=10**high)
+
+
+def _label_lines(axes: Axes, lines: Sequence[Line]) -> None:
+    """Names the lines to the right of the panel, the most accurate ones lowest."""
+    low, high = np.log10(axes.get_ylim())
+    right = np.log10(axes.get_xlim()[1])
+    ends = [max(i for i, error in enumerate(line.errors) if np.isfinite(error)) for line in lines]
+    heights = [np.log10(line.errors[end]) for line, end in zip(lines, ends)]
+    margin = min(LABEL_HEIGHT, 1 / max(1, len(lines) - 1)) * (high - low)
+    for line, end, place in zip(lines, ends, spread(heights, margin, low, high)):
+        axes.annotate(
+            line.scheme.label,
+            xy=(line.evaluations[end], line.errors[end]),
+            xytext=(1.05, (place - low) / (high - low)),
+            textcoords="axes fraction",
+            va="center",
+            fontsize=LABEL_FONT,
+            color=_colour(line.scheme),
+            arrowprops={"arrowstyle": "-", "color": "0.75", "linewidth": 0.8, "shrinkB": 4, "relpos": (0, 0.5)},
+            annotation_clip=False,
+        )
