@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from incline_runs import Case, Result
+from pareto import pareto_front
 from picture import save, spread  # beside the plotting script, which incline_runs makes known
 
 SIZE = (18, 11)  # [inch]
@@ -71,15 +72,6 @@ def _of_variant(results: Sequence[Result], variant: str) -> list[Result]:
     return [result for result in results if result.case.variant == variant]
 
 
-def pareto_front(costs: Sequence[float], errors: Sequence[float]) -> list[int]:
-    """The runs that no other run beats in both cost and error, by rising cost; NaN beats nothing."""
-    front: list[int] = []
-    for run in np.argsort(costs, kind="stable"):
-        if np.isfinite(errors[run]) and (not front or errors[run] < errors[front[-1]]):
-            front.append(int(run))
-    return front
-
-
 def _draw_panel(axes: Axes, results: Sequence[Result], measure: Measure) -> list[Line]:
     """One variant and one error: a line for each way to discretise, through its numbers of cells."""
     _draw_front(axes, results, measure)
@@ -107,7 +99,7 @@ def _draw_front(axes: Axes, results: Sequence[Result], measure: Measure) -> None
     """A broad grey band under the runs that no other run beats."""
     costs = [result.cpu_seconds for result in results]
     errors = [getattr(result, measure.member) for result in results]
-    front = pareto_front(costs, errors)
+    front = pareto_front(costs, errors, slack=0)
     axes.plot(
         [costs[run] for run in front],
         [errors[run] for run in front],

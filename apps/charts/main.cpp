@@ -56,6 +56,7 @@ int parse_and_run(int argc, char** argv) {
   CLI11_PARSE(program, argc, argv);
   if (extent.is_quick) extent.effort = {.samples = 1, .sample_seconds = 0, .enough_seconds = 0};
   std::ofstream file{output};
+  if (!file) throw std::runtime_error{"cannot write " + output};  // before the minutes it takes
   write_csv(run(extent, chosen), file);
   file.close();
   if (!file) throw std::runtime_error{"cannot write " + output};

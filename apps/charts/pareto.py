@@ -4,13 +4,23 @@ import math
 from collections.abc import Sequence
 
 
-def pareto_front(costs: Sequence[float], errors: Sequence[float]) -> list[int]:
-    """The runs that no other run beats in both cost and error, by rising cost; NaN beats nothing."""
+EQUAL_COSTS = 0.1  # [-]: CPU times repeat to a tenth or so
+
+
+def pareto_front(costs: Sequence[float], errors: Sequence[float], slack: float = EQUAL_COSTS) -> list[int]:
+    """The runs that no other run beats in both cost and error, by rising cost; NaN beats nothing.
+
+    One that is beaten in error at up to `slack` of its cost more is not on the front either.
+    """
     front: list[int] = []
     for run in sorted(range(len(costs)), key=lambda each: (costs[each], errors[each])):
-        if math.isfinite(costs[run]) and math.isfinite(errors[run]):
-            if not front or errors[run] < errors[front[-1]]:
-                front.append(run)
+        if not (math.isfinite(costs[run]) and math.isfinite(errors[run])):
+            continue
+        if front and not errors[run] < errors[front[-1]]:
+            continue
+        while front and costs[run] <= (1 + slack) * costs[front[-1]]:
+            front.pop()
+        front.append(run)
     return front
 
 

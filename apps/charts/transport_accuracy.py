@@ -11,7 +11,7 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1] / "plot"))  # how all pictures look
 
-from transport_chart import draw_chart  # noqa: E402
+from transport_chart import Finding, draw_chart  # noqa: E402
 from transport_choice import choices, evaluations, seconds, sentence, unfit_integrators, warning  # noqa: E402
 from transport_runs import TITLES, read_lines  # noqa: E402
 
@@ -37,11 +37,11 @@ def main() -> None:
     unfit = unfit_integrators(problems)
     summary = ["# What to choose: error against cost of the transport schemes\n"]
     for problem, lines in problems.items():
-        made = choices(lines, list(unfit), seconds)
-        finding, remark = sentence(made), warning(made, problems, unfit)
-        by_count = sentence(choices(lines, list(unfit), evaluations))
-        summary.append(f"**{TITLES.get(problem, problem)}.** {finding}\n{remark}\nBy flux evaluations: {by_count}\n")
-        for path in draw_chart(problem, lines, finding, remark, stem.with_name(f"{stem.name}_{problem}")):
+        made = choices(lines, unfit, seconds)
+        finding = Finding(sentence(made), warning(made, problems, unfit))
+        by_count = sentence(choices(lines, unfit, evaluations))
+        summary.append(f"**{TITLES.get(problem, problem)}.** {finding.sentence}\n{finding.remark}\nBy flux evaluations: {by_count}\n")
+        for path in draw_chart(problem, lines, unfit, finding, stem.with_name(f"{stem.name}_{problem}")):
             print(path)
     stem.with_suffix(".md").write_text("\n".join(summary), encoding="utf-8")
     print(table, stem.with_suffix(".md"), sep="\n")

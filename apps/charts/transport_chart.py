@@ -1,19 +1,20 @@
 """The picture of error against cost of all schemes on one problem."""
 
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from itertools import chain
 from pathlib import Path
+from typing import NamedTuple
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.ticker import LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from pareto import pareto_front
 from picture import WIDE, save, spread  # beside the plotting script, which transport_accuracy makes known
 from transport_choice import Cost, evaluations, seconds
-from transport_runs import PLANES, TITLES, Line, Scheme
+from transport_runs import COMMON, PLANES, TITLES, Line, Scheme
 
 COLOURS = {  # by limiter, the same in all pictures; dark enough for white paper
     "minmod(1)": "#7a5c99",
@@ -26,10 +27,11 @@ COLOURS = {  # by limiter, the same in all pictures; dark enough for white paper
 }
 SPARE_COLOUR = "#008a9e"  # of limiters that came later
 LINES = {"forward_euler": ":", "ssp_rk2": "-", "ssp_rk3": "--"}
-LABEL_FONT = 15
+LABEL_FONT = 14
 LABEL_HEIGHT = 0.062  # [-], of a panel
 SMALL_FONT = 13
-MOST_LABELS = 14
+SENTENCE_FONT = 17
+FULL_LINE = 1640  # characters x font size
 UNITS = {
     "sod": "L1 error of the density",
     "shu_osher": "L1 error of the density",
@@ -37,34 +39,57 @@ UNITS = {
     "segregation_two_sizes": "L1 error of all fractions",
     "segregation_five_sizes": "L1 error of all fractions",
 }
-KEY = "grey band: no other run is both cheaper and more accurate    solid: RK2, dashed: RK3, dotted: forward Euler"
+KEY = "Grey band: runs that no other beats in both. Solid: RK2, dashed: RK3, dotted: Euler."
+COMMON_KEY = f"{COMMON} one limiter factor for all components."
 
 
-def draw_chart(problem: str, lines: Sequence[Line], finding: str, remark: str, stem: Path) -> list[Path]:
-    """Draws the errors over both costs, and writes PNG and SVG."""
+class Finding(NamedTuple):
+    """What a picture says in words."""
+
+    sentence: str
+    remark: str
+
+
+def draw_chart(
+    problem: str, lines: Sequence[Line], unfit: Collection[str], finding: Finding, stem: Path
+) -> list[Path]:
+    """Draws the errors over both costs, and writes PNG and SVG. The front is that of the fit integrators."""
     figure, panels = plt.subplots(1, 2, figsize=WIDE, sharey=True)
-    figure.subplots_adjust(left=0.085, right=0.775, top=0.74, bottom=0.17, wspace=0.06)
-    shown = _lines_on_fronts(lines)
+    figure.subplots_adjust(left=0.085, right=0.79, top=0.79, bottom=0.2, wspace=0.06)
+    fit = [line for line in lines if line.scheme.integrator not in unfit]
+    shown = _lines_on_fronts(fit)
     for axes, cost in zip(panels, (seconds, evaluations)):
         axes.set(xscale="log", yscale="log")
-        _draw_panel(axes, lines, shown, cost)
+        _draw_front(axes, fit, cost)
+        _draw_lines(axes, lines, shown, cost)
     panels[0].set(xlabel="CPU time [s]", ylabel=UNITS.get(problem, "L1 error"))
-    panels[1].set(xlabel="flux evaluations (faces x stages x steps)")
+    panels[1].set(xlabel="flux evaluations")
     for axes in panels:
         _draw_orders(axes, 3 if problem in PLANES else 2)
-        axes.yaxis.set_minor_formatter(NullFormatter())
         axes.xaxis.set_major_locator(LogLocator(numticks=7))
+    _name_errors(panels[0])
     _label_lines(panels[1], shown)
-    _write(figure, 0.965, f"{TITLES.get(problem, problem)}: {finding}", 18, "black", 100)
-    _write(figure, 0.03, KEY, SMALL_FONT, "0.35", 140)
-    _write(figure, 0.835, remark, SMALL_FONT, "0.35", 138)
+    figure.text(0.012, 0.975, TITLES.get(problem, problem), fontsize=20, fontweight="bold", va="top")
+    _write(figure, 0.915, finding.sentence, SENTENCE_FONT, "black")
+    common = COMMON_KEY if any(COMMON in line.label for line in shown) else ""
+    _write(figure, 0.025, " ".join(filter(None, (finding.remark, KEY, common))), SMALL_FONT, "0.35")
     return save(figure, stem)
 
 
-def _write(figure: plt.Figure, height: float, text: str, size: int, colour: str, width: int) -> None:
-    lines = textwrap.fill(text, width)
-    va = "top" if height > 0.5 else "center"
+def _write(figure: plt.Figure, height: float, text: str, size: int, colour: str) -> None:
+    """Lines that fill the picture's width, from a height in its upper half down, in its lower half up."""
+    va = "top" if height > 0.5 else "bottom"
+    lines = textwrap.fill(text, int(FULL_LINE / size))
     figure.text(0.012, height, lines, fontsize=size, color=colour, va=va, linespacing=1.25)
+
+
+def _name_errors(axes: Axes) -> None:
+    """Numbers beside the ticks; where the axis has hardly a decade, between the powers of ten too."""
+    low, high = np.log10(axes.get_ylim())
+    axes.yaxis.set_minor_formatter(NullFormatter())
+    if high - low < 1.8:
+        axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+        axes.yaxis.set_major_formatter(FuncFormatter(lambda error, _: f"{error:g}"))
 
 
 def _lines_on_fronts(lines: Sequence[Line]) -> list[Line]:
@@ -77,18 +102,21 @@ def _lines_on_fronts(lines: Sequence[Line]) -> list[Line]:
     return [line for line in lines if line.scheme in on_front]
 
 
-def _draw_panel(axes: Axes, lines: Sequence[Line], shown: Sequence[Line], cost: Cost) -> None:
+def _draw_front(axes: Axes, lines: Sequence[Line], cost: Cost) -> None:
     costs = list(chain.from_iterable(cost(line) for line in lines))
     errors = list(chain.from_iterable(line.errors for line in lines))
     front = pareto_front(costs, errors)
     x, y = [costs[run] for run in front], [errors[run] for run in front]
-    axes.plot(x, y, color="0.86", linewidth=15, solid_capstyle="round", marker="o", markersize=15, zorder=0)
+    axes.plot(x, y, color="0.87", linewidth=15, solid_capstyle="round", marker="o", markersize=15, zorder=0)
+
+
+def _draw_lines(axes: Axes, lines: Sequence[Line], shown: Sequence[Line], cost: Cost) -> None:
     for line in lines:
-        if line not in shown:
-            axes.plot(cost(line), line.errors, color="0.72", linewidth=0.8, zorder=1)
-    for line in shown:
         style = LINES.get(line.scheme.integrator, "-.")
-        axes.plot(cost(line), line.errors, style, color=_colour(line.scheme), linewidth=2.2, marker="o", markersize=5)
+        if line in shown:
+            axes.plot(cost(line), line.errors, style, color=_colour(line.scheme), linewidth=2.4, marker="o", markersize=5)
+        else:
+            axes.plot(cost(line), line.errors, style, color="0.7", linewidth=0.8, zorder=1)
 
 
 def _colour(scheme: Scheme) -> str:
@@ -120,7 +148,7 @@ def _label_lines(axes: Axes, lines: Sequence[Line]) -> None:
     margin = min(LABEL_HEIGHT, 1 / max(1, len(lines) - 1)) * (high - low)
     for line, end, place in zip(lines, ends, spread(heights, margin, low, high)):
         axes.annotate(
-            line.scheme.label,
+            line.label,
             xy=(line.evaluations[end], line.errors[end]),
             xytext=(1.05, (place - low) / (high - low)),
             textcoords="axes fraction",

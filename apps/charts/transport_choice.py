@@ -1,10 +1,10 @@
 """What to choose: the scheme that reaches an error at the least cost, and in words."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
-from pareto import cost_of_error
+from pareto import EQUAL_COSTS, cost_of_error
 from transport_runs import INTEGRATORS, TITLES, Line, Scheme
 
 Lines = dict[str, list[Line]]  # by problem
@@ -32,15 +32,16 @@ def evaluations(line: Line) -> Sequence[float]:
 
 
 def error_levels(lines: Sequence[Line]) -> tuple[float, float, float]:
-    """Three errors, of one digit: what the best scheme has on the coarsest grid, on the finest, and between."""
+    """Three errors of one digit: just below the best on the coarsest grid, where most schemes have to refine; half
+    as much again as the best on the finest, where several get to; and between."""
     coarse = min(line.errors[0] for line in lines if math.isfinite(line.errors[0]))
-    fine = min(line.errors[-1] for line in lines if math.isfinite(line.errors[-1]))
-    return tuple(map(_one_digit_up, (coarse, math.sqrt(coarse * fine), fine)))  # type: ignore[return-value]
+    fine = 1.5 * min(line.errors[-1] for line in lines if math.isfinite(line.errors[-1]))
+    return _one_digit(coarse, math.floor), _one_digit(math.sqrt(coarse * fine), round), _one_digit(fine, math.ceil)
 
 
-def _one_digit_up(number: float) -> float:
+def _one_digit(number: float, rounded: Callable[[float], int]) -> float:
     unit = 10 ** math.floor(math.log10(number))
-    return float(f"{math.ceil(number / unit - 1e-9) * unit:.1g}")
+    return float(f"{rounded(number / unit) * unit:.1g}")
 
 
 def unfit_integrators(problems: Lines) -> dict[str, list[str]]:
@@ -54,16 +55,21 @@ def unfit_integrators(problems: Lines) -> dict[str, list[str]]:
     return unfit
 
 
-def choices(lines: Sequence[Line], unfit: Sequence[str], cost: Cost) -> list[Choice]:
-    """The cheapest scheme at each of the three errors, of those with a fit integrator."""
+def choices(lines: Sequence[Line], unfit: Collection[str], cost: Cost) -> list[Choice]:
+    """The cheapest scheme at each of the three errors, of those with a fit integrator. Where costs are equal to
+    their repeatability, the scheme of the error before stays."""
     usual = next((line for line in lines if line.scheme in (USUAL, USUAL_FRACTIONS)), None)
-    result = []
+    fit = [line for line in lines if line.scheme.integrator not in unfit]
+    result: list[Choice] = []
     for error in error_levels(lines):
-        fit = [line for line in lines if line.scheme.integrator not in unfit]
-        best = min(fit, key=lambda line: _cost(line, cost, error), default=None)
-        if best is not None and math.isfinite(_cost(best, cost, error)):
-            usual_cost = _cost(usual, cost, error) if usual else math.nan
-            result.append(Choice(error, best, _cost(best, cost, error), usual_cost))
+        costs = {line.scheme: _cost(line, cost, error) for line in fit}
+        least = min(costs.values(), default=math.inf)
+        if not math.isfinite(least):
+            continue
+        near = [line for line in fit if costs[line.scheme] <= (1 + EQUAL_COSTS) * least]
+        best = min(near, key=lambda line: costs[line.scheme])
+        line = result[-1].line if result and result[-1].line in near else best
+        result.append(Choice(error, line, costs[line.scheme], _cost(usual, cost, error) if usual else math.nan))
     return result
 
 
@@ -79,8 +85,13 @@ def sentence(made: Sequence[Choice]) -> str:
             runs[-1].append(choice)
         else:
             runs.append([choice])
-    parts = [f"{run[0].line.scheme.label} {_span(run)}" for run in runs]
-    return f"Choose {', '.join(parts)}{_saving(made)}."
+    parts = [f"{_in_words(run[0].line)} {_span(run)}" for run in runs]
+    return f"Choose {'; '.join(parts)}.{_saving(made)}"
+
+
+def _in_words(line: Line) -> str:
+    kind, *others = line.parts
+    return f"{kind} with {' and '.join(others)}"
 
 
 def _span(run: Sequence[Choice]) -> str:
@@ -92,29 +103,34 @@ def _span(run: Sequence[Choice]) -> str:
 def _saving(made: Sequence[Choice]) -> str:
     """How many times the cost of the choice the usual scheme has, at the smallest error that it reaches."""
     for choice in reversed(made):
-        if choice.line.scheme in (USUAL, USUAL_FRACTIONS):
-            continue
-        if math.isfinite(choice.usual_cost):
+        if choice.line.scheme not in (USUAL, USUAL_FRACTIONS) and math.isfinite(choice.usual_cost):
             factor = choice.usual_cost / choice.cost
-            return f"; the default takes {factor:.2g} times as long at {choice.error:g}"
+            return f" The default costs {factor:.2g} times as much at {choice.error:g}."
     return ""
 
 
 def warning(made: Sequence[Choice], problems: Lines, unfit: dict[str, list[str]]) -> str:
-    """The problems in which a choice of these does not reach the middle error, and the integrators left out."""
+    """Where the choice does badly, and which integrators were left out for what."""
     parts = []
-    for limiter in dict.fromkeys(choice.line.scheme.limiter for choice in made):
-        scheme = next(choice.line.scheme for choice in made if choice.line.scheme.limiter == limiter)
-        missed = [TITLES[problem] for problem, lines in problems.items() if _misses(lines, limiter, scheme.integrator)]
+    for line in {choice.line.scheme.limiter: choice.line for choice in made}.values():
+        missed = [problem for problem, lines in problems.items() if _misses(lines, line.scheme)]
         if missed:
-            parts.append(f"{scheme.label.split(',')[0]} falls behind in: {'; '.join(missed)}")
+            parts.append(f"{line.parts[0]} falls behind in {_list_of(missed)}.")
     for integrator, missed in unfit.items():
-        name = INTEGRATORS.get(integrator, integrator)
-        parts.append(f"{name} left out: poor in {', '.join(TITLES[problem] for problem in missed)}")
-    return ". ".join(parts)
+        parts.append(f"{INTEGRATORS.get(integrator, integrator)} (grey) is left out: it fails in {_list_of(missed)}.")
+    return " ".join(parts)
 
 
-def _misses(lines: Sequence[Line], limiter: str, integrator: str) -> bool:
+def _list_of(problems: Sequence[str]) -> str:
+    return ", ".join(TITLES.get(problem, problem) for problem in problems)
+
+
+def _misses(lines: Sequence[Line], scheme: Scheme) -> bool:
+    """Whether no scheme with the same limiter and integrator reaches the middle error."""
     middle = error_levels(lines)[1]
-    mine = [line for line in lines if (line.scheme.limiter, line.scheme.integrator) == (limiter, integrator)]
+    mine = [
+        line
+        for line in lines
+        if (line.scheme.limiter, line.scheme.integrator) == (scheme.limiter, scheme.integrator)
+    ]
     return bool(mine) and not any(math.isfinite(_cost(line, evaluations, middle)) for line in mine)
