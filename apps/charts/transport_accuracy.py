@@ -40,7 +40,8 @@ def main() -> None:
         made = choices(lines, unfit, seconds)
         finding = Finding(sentence(made), warning(made, problems, unfit))
         by_count = sentence(choices(lines, unfit, evaluations))
-        summary.append(f"**{TITLES.get(problem, problem)}.** {finding.sentence}\n{finding.remark}\nBy flux evaluations: {by_count}\n")
+        words = (finding.sentence, finding.remark, f"By flux evaluations: {by_count}")
+        summary.append(f"**{TITLES.get(problem, problem)}.** " + "\n".join(filter(None, words)) + "\n")
         for path in draw_chart(problem, lines, unfit, finding, stem.with_name(f"{stem.name}_{problem}")):
             print(path)
     stem.with_suffix(".md").write_text("\n".join(summary), encoding="utf-8")

@@ -114,7 +114,8 @@ def _draw_lines(axes: Axes, lines: Sequence[Line], shown: Sequence[Line], cost: 
     for line in lines:
         style = LINES.get(line.scheme.integrator, "-.")
         if line in shown:
-            axes.plot(cost(line), line.errors, style, color=_colour(line.scheme), linewidth=2.4, marker="o", markersize=5)
+            colour = _colour(line.scheme)
+            axes.plot(cost(line), line.errors, style, color=colour, linewidth=2.4, marker="o", markersize=5)
         else:
             axes.plot(cost(line), line.errors, style, color="0.7", linewidth=0.8, zorder=1)
 

@@ -71,7 +71,8 @@ class ChoiceOfScheme(unittest.TestCase):
         self.assertAlmostEqual(made[0].cost, 2)
         self.assertAlmostEqual(made[1].cost, math.sqrt(12.5 / 0.006))
         self.assertEqual(
-            sentence(made), "Choose minmod with RK2 and KT for an error of 0.5; MC with RK2 and KT for errors of 0.006 to 8e-05."
+            sentence(made),
+            "Choose minmod with RK2 and KT for an error of 0.5; MC with RK2 and KT for errors of 0.006 to 8e-05.",
         )
 
     def test_stays_with_a_scheme_whose_cost_is_equal_within_a_tenth(self) -> None:
@@ -82,7 +83,8 @@ class ChoiceOfScheme(unittest.TestCase):
         self.assertEqual({choice.line for choice in made}, {self.first})
 
     def test_says_what_the_default_costs(self) -> None:
-        better = line("minmod(2)", "ssp_rk2", (1, 10, 100), (0.5, 0.05, 0.005))  # half the error, at the middle error too: sqrt(0.5 x 0.0075)
+        better = line("minmod(2)", "ssp_rk2", (1, 10, 100), (0.5, 0.05, 0.005))  # half the error for the same cost
+        # The smallest error, 0.008, is below the default's 0.01; the middle one is sqrt(0.5 x 0.0075).
 
         made = choices([self.first, better], [], evaluations)
 

@@ -53,7 +53,7 @@ std::vector<double> coarsened(const std::vector<double>& u, Index n) {
 std::vector<Record> shu_osher(const Extent& extent) {
   const auto densities = reference(extent.is_quick ? quick_fine : fine);
   std::vector<Record> records;
-  for (const Index n : doublings(100, 4, extent)) {
+  for (const Index n : doublings(100, 5, extent)) {
     GasCase problem = shock_and_waves(n);
     problem.exact = coarsened(densities, n);
     std::ranges::copy(run_gas("shu_osher", n, problem, extent.effort), std::back_inserter(records));
