@@ -48,6 +48,7 @@ int parse_and_run(int argc, char** argv) {
   std::vector<std::string> chosen;
   Extent extent;
   std::vector<std::string> names;
+  names.reserve(problems.size());
   for (const Problem& problem : problems) names.emplace_back(problem.name);
   program.add_option("--output,-o", output, "table to write (CSV)")->required();
   program.add_option("--problem", chosen, "only this problem; may be given again")

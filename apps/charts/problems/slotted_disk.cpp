@@ -88,7 +88,7 @@ std::vector<double> disk(const Lattice<2>& cells) {
 
 std::vector<Record> slotted_disk(const Extent& extent) {
   std::vector<Record> records;
-  for (const Index n : doublings(25, 4, extent)) {
+  for (const Index n : doublings(20, 4, extent)) {
     const Lattice<2> cells = unit_square(n);
     const auto speeds = turn(cells);
     const auto start = disk(cells);
