@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <exception>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string_view>
 
@@ -30,16 +29,16 @@ constexpr std::array<Problem, 8> problems{{{"advection", advection},
                                            {"segregation_two_sizes", segregation_two_sizes},
                                            {"segregation_five_sizes", segregation_five_sizes}}};
 
-std::vector<Record> run(const Extent& extent, const std::vector<std::string>& chosen) {
-  std::vector<Record> records;
+/// Runs the chosen problems, or all; what is done is in the table as soon as it is.
+void run(const Extent& extent, const std::vector<std::string>& chosen, std::ostream& table) {
+  write_titles(table);
   for (const Problem& problem : problems) {
     if (!chosen.empty() && std::ranges::find(chosen, problem.name) == chosen.end()) continue;
     const double start = cpu_seconds();
-    std::ranges::copy(problem.run(extent), std::back_inserter(records));
+    write_rows(problem.run(extent), table);
     fmt::print("{:25s} {:7.1f} s\n", problem.name, cpu_seconds() - start);
     std::fflush(stdout);
   }
-  return records;
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -58,7 +57,7 @@ int parse_and_run(int argc, char** argv) {
   if (extent.is_quick) extent.effort = {.samples = 1, .sample_seconds = 0, .enough_seconds = 0};
   std::ofstream file{output};
   if (!file) throw std::runtime_error{"cannot write " + output};  // before the minutes it takes
-  write_csv(run(extent, chosen), file);
+  run(extent, chosen, file);
   file.close();
   if (!file) throw std::runtime_error{"cannot write " + output};
   return 0;

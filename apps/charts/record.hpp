@@ -23,7 +23,10 @@ struct Record {
   double l1;               ///< error, in the unit that the problem states; NaN if the run failed
 };
 
-/// Writes the records as comma-separated values below a line of titles.
-void write_csv(const std::vector<Record>& records, std::ostream& out);
+/// Writes the titles of the columns, comma-separated.
+void write_titles(std::ostream& out);
+
+/// Writes one line for each record, and flushes.
+void write_rows(const std::vector<Record>& records, std::ostream& out);
 
 }  // namespace scree::charts

@@ -55,7 +55,7 @@ def draw_chart(
 ) -> list[Path]:
     """Draws the errors over both costs, and writes PNG and SVG. The front is that of the fit integrators."""
     figure, panels = plt.subplots(1, 2, figsize=WIDE, sharey=True)
-    figure.subplots_adjust(left=0.085, right=0.79, top=0.79, bottom=0.2, wspace=0.06)
+    figure.subplots_adjust(left=0.115, right=0.79, top=0.81, bottom=0.25, wspace=0.06)
     fit = [line for line in lines if line.scheme.integrator not in unfit]
     shown = _lines_on_fronts(fit)
     for axes, cost in zip(panels, (seconds, evaluations)):

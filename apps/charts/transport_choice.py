@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 from pareto import EQUAL_COSTS, cost_of_error
-from transport_runs import INTEGRATORS, TITLES, Line, Scheme
+from transport_runs import INTEGRATORS, NAMES, Line, Scheme
 
 Lines = dict[str, list[Line]]  # by problem
 Cost = Callable[[Line], Sequence[float]]
@@ -31,12 +31,13 @@ def evaluations(line: Line) -> Sequence[float]:
     return line.evaluations
 
 
-def error_levels(lines: Sequence[Line]) -> tuple[float, float, float]:
+def error_levels(lines: Sequence[Line]) -> list[float]:
     """Three errors of one digit: just below the best on the coarsest grid, where most schemes have to refine; half
     as much again as the best on the finest, where several get to; and between."""
     coarse = min(line.errors[0] for line in lines if math.isfinite(line.errors[0]))
     fine = 1.5 * min(line.errors[-1] for line in lines if math.isfinite(line.errors[-1]))
-    return _one_digit(coarse, math.floor), _one_digit(math.sqrt(coarse * fine), round), _one_digit(fine, math.ceil)
+    levels = (coarse, math.floor), (math.sqrt(coarse * fine), round), (fine, math.ceil)
+    return sorted((_one_digit(*level) for level in levels), reverse=True)
 
 
 def _one_digit(number: float, rounded: Callable[[float], int]) -> float:
@@ -95,7 +96,7 @@ def _in_words(line: Line) -> str:
 
 
 def _span(run: Sequence[Choice]) -> str:
-    if len(run) == 1:
+    if run[0].error == run[-1].error:
         return f"for an error of {run[0].error:g}"
     return f"for errors of {run[0].error:g} to {run[-1].error:g}"
 
@@ -117,12 +118,12 @@ def warning(made: Sequence[Choice], problems: Lines, unfit: dict[str, list[str]]
         if missed:
             parts.append(f"{line.parts[0]} falls behind in {_list_of(missed)}.")
     for integrator, missed in unfit.items():
-        parts.append(f"{INTEGRATORS.get(integrator, integrator)} (grey) is left out: it fails in {_list_of(missed)}.")
+        parts.append(f"{INTEGRATORS.get(integrator, integrator)} (grey) is left out: with any limiter it fails in {_list_of(missed)}.")
     return " ".join(parts)
 
 
 def _list_of(problems: Sequence[str]) -> str:
-    return ", ".join(TITLES.get(problem, problem) for problem in problems)
+    return ", ".join(NAMES.get(problem, problem) for problem in problems)
 
 
 def _misses(lines: Sequence[Line], scheme: Scheme) -> bool:

@@ -15,7 +15,7 @@ LIMITERS = {
     "van_albada": "van Albada",
 }
 SCHEMES = {"piecewise_constant": "first order", "piecewise_linear_common": COMMON, "piecewise_linear": ""}
-INTEGRATORS = {"forward_euler": "Euler", "ssp_rk2": "RK2", "ssp_rk3": "RK3"}
+INTEGRATORS = {"forward_euler": "forward Euler", "ssp_rk2": "RK2", "ssp_rk3": "RK3"}
 FLUXES = {"kurganov_tadmor": "KT", "kurganov_noelle_petrova": "KNP"}
 TITLES = {
     "advection": "Smooth advection",
@@ -26,6 +26,16 @@ TITLES = {
     "slotted_disk": "Slotted disk, one turn",
     "segregation_two_sizes": "Two grain sizes that overtake",
     "segregation_five_sizes": "Five grain sizes that part",
+}
+NAMES = {  # within a sentence
+    "advection": "smooth advection",
+    "burgers_smooth": "smooth Burgers",
+    "burgers_shock": "Burgers' shock",
+    "sod": "Sod",
+    "shu_osher": "Shu-Osher",
+    "slotted_disk": "the slotted disk",
+    "segregation_two_sizes": "two sizes",
+    "segregation_five_sizes": "five sizes",
 }
 PLANES = {"slotted_disk"}  # the problems in two dimensions
 

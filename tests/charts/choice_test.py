@@ -62,7 +62,7 @@ class ChoiceOfScheme(unittest.TestCase):
 
     def test_takes_three_errors_from_the_best_runs(self) -> None:
         # 0.5, half as much again as 0.00005 rounded up, and their mean in logarithms, 0.0061
-        self.assertEqual(error_levels([self.first, self.second]), (0.5, 0.006, 8e-5))
+        self.assertEqual(error_levels([self.first, self.second]), [0.5, 0.006, 8e-5])
 
     def test_is_the_cheapest_at_each_error(self) -> None:
         made = choices([self.first, self.second], [], evaluations)

@@ -20,11 +20,12 @@ struct ColumnProblem {
   std::string name;
   SizeClasses classes;
   double duration;
+  int num_grids;
   Start start;
   Exact exact;
 };
 template <class Start, class Exact>
-ColumnProblem(std::string, SizeClasses, double, Start, Exact) -> ColumnProblem<Start, Exact>;
+ColumnProblem(std::string, SizeClasses, double, int, Start, Exact) -> ColumnProblem<Start, Exact>;
 
 template <class Problem>
 void measure(const Problem& problem, const grainsize::SegregationOptions& options, Index num_stages,
@@ -48,7 +49,7 @@ template <class Problem>
 std::vector<Record> run_columns(const Problem& problem, const Extent& extent) {
   using Scheme = transport::PiecewiseLinearCommon<transport::Minmod>;
   std::vector<Record> records;
-  for (const Index n : doublings(50, 5, extent)) {
+  for (const Index n : doublings(50, problem.num_grids, extent)) {
     transport::for_each_entry(transport::LimiterList{}, [&]<class L>() {
       for_each_variant<L>([&](const L& limiter, const std::string& label) {
         transport::for_each_entry(transport::IntegratorList{}, [&]<class Integrator>() {
@@ -84,7 +85,7 @@ std::vector<Record> segregation_two_sizes(const Extent& extent) {
   const test::InvertedColumn exact{ratio, share, time};
   const auto of_two = [](double fines, double z, std::size_t k) { return k == 0 ? fines : z - fines; };
   return run_columns(
-      ColumnProblem{"segregation_two_sizes", SizeClasses{{1 / ratio, 1}}, time,
+      ColumnProblem{"segregation_two_sizes", SizeClasses{{1 / ratio, 1}}, time, 5,
                     [=](double z, std::size_t k) { return of_two(std::max(0.0, z - (1 - share)), z, k); },
                     [=](double z, std::size_t k) { return of_two(exact.below(z), z, k); }},
       extent);
@@ -94,7 +95,7 @@ std::vector<Record> segregation_five_sizes(const Extent& extent) {
   const std::string time = "1.306204216";
   const test::FrontColumn exact = test::read_front_column("5bin", time);
   return run_columns(ColumnProblem{"segregation_five_sizes", SizeClasses{{0.2, 0.4, 0.6, 0.8, 1}},
-                                   std::stod(time), [](double z, std::size_t) { return z / 5; },
+                                   std::stod(time), 4, [](double z, std::size_t) { return z / 5; },
                                    [&](double z, std::size_t k) { return exact.below(z, k); }},
                      extent);
 }
