@@ -1,6 +1,7 @@
 """The picture of error against cost of all schemes on one problem."""
 
 import textwrap
+from collections import Counter
 from collections.abc import Collection, Sequence
 from itertools import chain
 from pathlib import Path
@@ -39,7 +40,7 @@ UNITS = {
     "segregation_two_sizes": "L1 error of all fractions",
     "segregation_five_sizes": "L1 error of all fractions",
 }
-KEY = "Grey band: runs that no other beats in both. Solid: RK2, dashed: RK3, dotted: Euler."
+KEY = "Grey band: runs that no other beats in both. Solid: RK2, dashed: RK3, dotted: Euler. MC: minmod 2."
 COMMON_KEY = f"{COMMON} one limiter factor for all components."
 
 
@@ -93,12 +94,13 @@ def _name_errors(axes: Axes) -> None:
 
 
 def _lines_on_fronts(lines: Sequence[Line]) -> list[Line]:
-    """The lines that have a run on the front of either cost."""
+    """The lines that have more than one run on the front of either cost: one alone may be chance."""
     runs = [(line, i) for line in lines for i in range(len(line.errors))]
     errors = [line.errors[i] for line, i in runs]
-    on_front = set()
+    on_front: set[Scheme] = set()
     for cost in (seconds, evaluations):
-        on_front.update(runs[run][0].scheme for run in pareto_front([cost(line)[i] for line, i in runs], errors))
+        counts = Counter(runs[run][0].scheme for run in pareto_front([cost(line)[i] for line, i in runs], errors))
+        on_front.update(scheme for scheme, count in counts.items() if count > 1)
     return [line for line in lines if line.scheme in on_front]
 
 

@@ -119,7 +119,7 @@ def warning(made: Sequence[Choice], problems: Lines, unfit: dict[str, list[str]]
             parts.append(f"{line.parts[0]} falls behind in {_list_of(missed)}.")
     for integrator, missed in unfit.items():
         parts.append(f"{INTEGRATORS.get(integrator, integrator)} (grey) is left out: with any limiter it fails in {_list_of(missed)}.")
-    return " ".join(parts)
+    return " ".join(part[0].upper() + part[1:] for part in parts)
 
 
 def _list_of(problems: Sequence[str]) -> str:
