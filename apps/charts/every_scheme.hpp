@@ -9,8 +9,10 @@
 #include <scree/transport/integrators.hpp>
 #include <scree/transport/solver.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -96,34 +98,39 @@ void measure(const std::vector<Case<Grid, Law>>& places, const R& reconstruction
   }
 }
 
-/// Runs every scheme that the library lists: reconstruction x limiter x flux x integrator, each at the CFL
-/// number that a solver takes unless told otherwise.
+/// Runs one reconstruction with every flux and integrator that the library lists, each at the CFL number that
+/// a solver takes unless told otherwise.
+/// @param named a record with the names of problem, scheme and limiter  @param places the problem, see
+/// measure()
+template <class Grid, class Law, class R>
+[[nodiscard]] std::vector<Record> run_reconstruction(const Record& named, const R& reconstruction,
+                                                     const std::vector<Case<Grid, Law>>& places,
+                                                     const Effort& effort) {
+  std::vector<Record> records;
+  transport::for_each_entry(transport::FluxList{}, [&]<class Flux>() {
+    transport::for_each_entry(transport::IntegratorList{}, [&]<class Integrator>() {
+      Record record = named;
+      record.flux = Flux::name;
+      record.integrator = Integrator::name;
+      measure<Flux>(places, reconstruction, Integrator{}, effort, record);
+      records.push_back(record);
+    });
+  });
+  return records;
+}
+
+/// Runs every scheme that the library lists: reconstruction x limiter x flux x integrator.
 /// @param places the problem, see measure()
 template <class Grid, class Law>
 [[nodiscard]] std::vector<Record> run_every_scheme(const std::string& problem, Index n,
                                                    const std::vector<Case<Grid, Law>>& places,
                                                    const Effort& effort) {
   std::vector<Record> records;
-  for_each_reconstruction<Case<Grid, Law>::N>(
-      [&]<class R>(const R& reconstruction, const std::string& limiter) {
-        transport::for_each_entry(transport::FluxList{}, [&]<class Flux>() {
-          transport::for_each_entry(transport::IntegratorList{}, [&]<class Integrator>() {
-            Record record{problem,
-                          std::string{R::name},
-                          std::string{Flux::name},
-                          limiter,
-                          std::string{Integrator::name},
-                          n,
-                          0,
-                          0,
-                          0,
-                          0,
-                          0};
-            measure<Flux>(places, reconstruction, Integrator{}, effort, record);
-            records.push_back(record);
-          });
-        });
-      });
+  for_each_reconstruction<Case<Grid, Law>::N>([&]<class R>(const R& reconstruction,
+                                                           const std::string& limiter) {
+    const Record named{.problem = problem, .scheme = std::string{R::name}, .limiter = limiter, .n = n};
+    std::ranges::copy(run_reconstruction(named, reconstruction, places, effort), std::back_inserter(records));
+  });
   return records;
 }
 

@@ -10,17 +10,17 @@ namespace scree::charts {
 
 /// One run of one scheme on one problem: what it costs, and how far it is from the exact solution.
 struct Record {
-  std::string problem;
-  std::string scheme;      ///< name of the reconstruction
-  std::string flux;        ///< name of the numerical flux
-  std::string limiter;     ///< name of the limiter, its parameter in brackets; empty if there is none
-  std::string integrator;  ///< name
-  Index n;                 ///< cells along one axis
-  double cfl;              ///< [-]
-  int steps;
-  Index flux_evaluations;  ///< faces x stages x steps
-  double cpu_seconds;      ///< [s], best of several; NaN if the run failed
-  double l1;               ///< error, in the unit that the problem states; NaN if the run failed
+  std::string problem{};
+  std::string scheme{};      ///< name of the reconstruction
+  std::string flux{};        ///< name of the numerical flux
+  std::string limiter{};     ///< name of the limiter, its parameter in brackets; empty if there is none
+  std::string integrator{};  ///< name
+  Index n = 0;               ///< cells along one axis
+  double cfl = 0;            ///< [-]
+  int steps = 0;
+  Index flux_evaluations = 0;  ///< faces x stages x steps
+  double cpu_seconds = 0;      ///< [s], best of several; NaN if the run failed
+  double l1 = 0;               ///< error, in the unit that the problem states; NaN if the run failed
 };
 
 /// Writes the titles of the columns, comma-separated.

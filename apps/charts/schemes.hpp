@@ -3,6 +3,8 @@
 #include <scree/parameter.hpp>
 #include <scree/transport/limiters.hpp>
 #include <scree/transport/reconstructions.hpp>
+#include <scree/transport/reconstructions/admissible.hpp>
+#include <scree/transport/reconstructions/in_primitives.hpp>
 
 #include <fmt/format.h>
 
@@ -60,6 +62,16 @@ void for_each_reconstruction(Visitor&& visit) {
   transport::for_each_entry(transport::ReconstructionList{}, [&]<class R>() {
     if constexpr (N > 1 || !is_for_systems_only<R>) detail::Reconstructions<R>::visit_each(visit);
   });
+}
+
+/// Calls visit(reconstruction, label of its limiter) for straight lines in the primitive variables of a law,
+/// kept admissible: what the library takes for such a law untold, here with every limiter.
+template <class Law, class Visitor>
+void for_each_reconstruction_in_primitives(const Law& law, Visitor&& visit) {
+  detail::Reconstructions<transport::PiecewiseLinear<transport::Minmod>>::visit_each(
+      [&](const auto& linear, const std::string& label) {
+        visit(transport::Admissible{transport::InPrimitives{linear, law}, law}, label);
+      });
 }
 
 }  // namespace scree::charts

@@ -9,8 +9,11 @@ from transport_runs import INTEGRATORS, NAMES, Line, Scheme
 
 Lines = dict[str, list[Line]]  # by problem
 Cost = Callable[[Line], Sequence[float]]
-USUAL = Scheme("piecewise_linear", "kurganov_tadmor", "minmod(1)", "ssp_rk2")  # what the library does untold
-USUAL_FRACTIONS = Scheme("piecewise_linear_common", "kurganov_tadmor", "minmod(1)", "ssp_rk2")
+USUAL = (  # what the library does untold, for a gas, for a scalar and for fractions
+    Scheme("primitive", "kurganov_noelle_petrova", "minmod(1.3)", "ssp_rk2"),
+    Scheme("piecewise_linear", "kurganov_tadmor", "minmod(1.3)", "ssp_rk2"),
+    Scheme("piecewise_linear_common", "kurganov_tadmor", "minmod(1)", "ssp_rk2"),
+)
 
 
 @dataclass(frozen=True)
@@ -59,7 +62,7 @@ def unfit_integrators(problems: Lines) -> dict[str, list[str]]:
 def choices(lines: Sequence[Line], unfit: Collection[str], cost: Cost) -> list[Choice]:
     """The cheapest scheme at each of the three errors, of those with a fit integrator. Where costs are equal to
     their repeatability, the scheme of the error before stays."""
-    usual = next((line for line in lines if line.scheme in (USUAL, USUAL_FRACTIONS)), None)
+    usual = next((line for scheme in USUAL for line in lines if line.scheme == scheme), None)
     fit = [line for line in lines if line.scheme.integrator not in unfit]
     result: list[Choice] = []
     for error in error_levels(lines):
@@ -104,7 +107,7 @@ def _span(run: Sequence[Choice]) -> str:
 def _saving(made: Sequence[Choice]) -> str:
     """How many times the cost of the choice the usual scheme has, at the smallest error that it reaches."""
     for choice in reversed(made):
-        if choice.line.scheme not in (USUAL, USUAL_FRACTIONS) and math.isfinite(choice.usual_cost):
+        if math.isfinite(choice.usual_cost) and choice.usual_cost > (1 + EQUAL_COSTS) * choice.cost:
             factor = choice.usual_cost / choice.cost
             return f" The default costs {factor:.2g} times as much at {choice.error:g}."
     return ""

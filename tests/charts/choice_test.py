@@ -57,7 +57,7 @@ class CostOfError(unittest.TestCase):
 
 
 class ChoiceOfScheme(unittest.TestCase):
-    first = line("minmod(1)", "ssp_rk2", (1, 10, 100), (1, 0.1, 0.01))  # error = 1/cost
+    first = line("minmod(1.3)", "ssp_rk2", (1, 10, 100), (1, 0.1, 0.01))  # error = 1/cost
     second = line("minmod(2)", "ssp_rk2", (5, 50, 500), (0.5, 0.005, 0.00005))  # 12.5/cost^2
 
     def test_takes_three_errors_from_the_best_runs(self) -> None:
@@ -72,7 +72,7 @@ class ChoiceOfScheme(unittest.TestCase):
         self.assertAlmostEqual(made[1].cost, math.sqrt(12.5 / 0.006))
         self.assertEqual(
             sentence(made),
-            "Choose minmod with RK2 and KT for an error of 0.5; MC with RK2 and KT for errors of 0.006 to 8e-05.",
+            "Choose minmod 1.3 with RK2 and KT for an error of 0.5; MC with RK2 and KT for errors of 0.006 to 8e-05.",
         )
 
     def test_stays_with_a_scheme_whose_cost_is_equal_within_a_tenth(self) -> None:

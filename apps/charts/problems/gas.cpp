@@ -23,7 +23,9 @@ GasCase between_open_ends(const Lattice<1>& cells, double duration) {
 }
 
 std::vector<Record> run_gas(const std::string& problem, Index n, const GasCase& start, const Effort& effort) {
-  return run_every_scheme(problem, n, std::vector{start}, effort);
+  auto records = run_every_scheme(problem, n, std::vector{start}, effort);
+  std::ranges::copy(run_gas_in_primitives(problem, n, start, effort), std::back_inserter(records));
+  return records;
 }
 
 }  // namespace scree::charts

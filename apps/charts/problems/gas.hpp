@@ -9,7 +9,11 @@ namespace scree::charts {
 
 using GasCase = Case<transport::Cartesian<1>, transport::Euler<1>>;
 
-/// Every scheme on a gas in one dimension; compiled once, in gas.cpp.
+/// The schemes that reconstruct primitive variables, on a gas in one dimension.
+[[nodiscard]] std::vector<Record> run_gas_in_primitives(const std::string& problem, Index n,
+                                                        const GasCase& start, const Effort& effort);
+
+/// Every scheme on a gas in one dimension.
 [[nodiscard]] std::vector<Record> run_gas(const std::string& problem, Index n, const GasCase& start,
                                           const Effort& effort);
 

@@ -56,17 +56,12 @@ std::vector<Record> run_columns(const Problem& problem, const Extent& extent) {
           auto options = Column::defaults();
           options.limiter = limiter;
           options.integrator = Integrator{};
-          Record record{problem.name,
-                        std::string{Scheme::name},
-                        std::string{transport::KurganovTadmor::name},
-                        label,
-                        std::string{Integrator::name},
-                        n,
-                        0,
-                        0,
-                        0,
-                        0,
-                        0};
+          Record record{.problem = problem.name,
+                        .scheme = std::string{Scheme::name},
+                        .flux = std::string{transport::KurganovTadmor::name},
+                        .limiter = label,
+                        .integrator = std::string{Integrator::name},
+                        .n = n};
           measure(problem, options, static_cast<Index>(Integrator::kept.size()), extent.effort, record);
           records.push_back(record);
         });
