@@ -14,7 +14,7 @@ template <class List>
   std::string text = fmt::format("{}\n", title);
   for_each_entry<List>([&](auto entry) {
     using Model = typename decltype(entry)::type;
-    text += fmt::format("  {:<26} {}\n", Model::name, Model::summary);
+    text += fmt::format("  {:<28} {}\n", Model::name, Model::summary);
   });
   return text;
 }

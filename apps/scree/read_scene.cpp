@@ -26,9 +26,15 @@ template <rheology::DescribedLaw Law>
 void read_model(const TomlTable& table, auto& chosen) {
   Law law{};
   for (const auto& parameter : Law::parameters) {
+    const bool has_upper = std::isfinite(parameter.upper);
+    const io::Bounds bounds{0, parameter.upper, parameter.bound == rheology::Bound::positive, has_upper};
     law.*parameter.member =
-        table.number(parameter.name, fmt::format("{} [{}]", parameter.meaning, parameter.unit),
-                     parameter.bound == rheology::Bound::positive ? above(0) : at_least(0));
+        table.number(parameter.name, fmt::format("{} [{}]", parameter.meaning, parameter.unit), bounds);
+  }
+  for (const auto& parameter : Law::parameters) {
+    const std::string broken = rheology::broken_relation(law, parameter);
+    if (broken.empty()) continue;
+    table.check(false, {parameter.name, rheology::name_of(parameter.exceeds)}, broken);
   }
   chosen = law;
 }

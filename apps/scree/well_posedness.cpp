@@ -19,7 +19,7 @@ namespace {
         using Law = std::decay_t<decltype(law)>;
         using Input = typename Law::template Input<double>;
         const Deformation<double> at_rest{Tensor<double>{}, law.density};
-        if constexpr (Law::input_names.size() == 1) {
+        if constexpr (Law::inputs.size() == 1) {
           return law.stiffness(at_rest, std::bit_cast<Input>(grain_size)).viscosity;
         } else {
           return law.stiffness(at_rest, Input{}).viscosity;

@@ -49,6 +49,43 @@ TEST(BadScene, ValueOutOfRangeIsNamed) {
             "scene.toml:16: [rheology] density = -1000: must exceed 0 (density without pressure [kg/m^3])");
 }
 
+/// The small scene with another law.
+[[nodiscard]] std::string with_law(const std::string& law) {
+  std::string text = small_scene();
+  const std::size_t at = text.find("law = ");
+  return text.replace(at, text.find("[grains]") - at, law);
+}
+
+TEST(BadScene, ParametersThatContradictEachOtherAreNamed) {
+  EXPECT_EQ(message_of(with_law(R"(law = "granular_elastoviscoplastic"
+mu_s = 0.38
+mu_2 = 0.3
+I_0 = 0.279
+grain_density = 2500
+shear_modulus = 1e6
+bulk_modulus = 1e6
+density = 1500
+)")),
+            "scene.toml:15: [rheology] mu_2 = 0.3: must exceed mu_s = 0.38");
+}
+
+TEST(BadScene, ParameterAboveItsUpperBoundIsNamed) {
+  EXPECT_EQ(
+      message_of(with_law(R"(law = "regularised_mu_of_i"
+mu_s = 0.342
+mu_2 = 0.557
+mu_inf = 0.05
+alpha = 2
+I_0 = 0.069
+I_1 = 0.004
+grain_density = 2500
+shear_rate_floor = 1e-3
+bulk_modulus = 1e6
+density = 1500
+)")),
+      "scene.toml:17: [rheology] alpha = 2: must lie in (0, 2) (decay of friction in very slow flow [-])");
+}
+
 TEST(BadScene, NanIsRefused) {
   EXPECT_EQ(message_of(with("c = 0.05", "c = nan")),
             "scene.toml:22: [segregation] c = nan: must be finite (strength of segregation [m^2])");

@@ -19,8 +19,9 @@ template <class Law>
 void expect_friction_without_force(const Law& law) {
   const CartesianGrid<2> grid{Vector<2>{0, 0}, Vector<2>{0.1, 0.1}, {4, 6}, {true, false}};
   auto particles = mpm::seed_box<2, 2>(grid, Vector<2>{0, 0}, Vector<2>{0.4, 0.6}, {2, 2}, law.density);
-  for (const auto name : Law::input_names) {
-    const std::size_t column = particles.add_column({std::string{name}, "", "m"}, 1);
+  for (const InputColumn& input : Law::inputs) {
+    const std::size_t column =
+        particles.add_column({std::string{input.name}, "", std::string{input.unit}}, 1);
     for (Index p = 0; p < particles.size(); ++p) particles.column(column).component(0)[p] = 1e-3;
   }
   for (Index p = 0; p < particles.size(); ++p) {

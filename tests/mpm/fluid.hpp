@@ -14,10 +14,10 @@ struct Fluid {
   static constexpr std::string_view name = "fluid";
   template <class Real>
   struct Input {};
-  static constexpr std::array<std::string_view, 0> input_names{};
+  static constexpr std::array<InputColumn, 0> inputs{};
   template <class Real>
   struct State {};
-  static constexpr std::array<std::string_view, 0> state_names{};
+  static constexpr std::array<StateColumn, 0> states{};
 
   double bulk_modulus;       ///< K [Pa]
   double reference_density;  ///< rho_0 [kg/m^3]

@@ -16,12 +16,12 @@ struct Coarse {
   struct Input {
     Real grain_size;
   };
-  static constexpr std::array<std::string_view, 1> input_names{"grain_size"};
+  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m"}}};
   template <class Real>
   struct State {
     Real shear_strain;
   };
-  static constexpr std::array<std::string_view, 1> state_names{"shear_strain"};
+  static constexpr std::array<StateColumn, 1> states{{{"shear_strain", "-", 0.25}}};
 
   template <class Real>
   [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
@@ -70,6 +70,24 @@ TEST(StressUpdate, NamesTheColumnThatALawMisses) {
             "the law 'coarse' needs the column 'grain_size', which no part of this run provides");
 }
 
+TEST(StressUpdate, NamesTheColumnThatIsInAnotherUnit) {
+  Particles<2> particles;
+  particles.add_column({"grain_size", "s_a", "mm"}, 1);
+
+  EXPECT_EQ(message_of<InputError>([&] { StressUpdateBy<2, 2, Coarse>({}, particles); }),
+            "the law 'coarse' reads the column 'grain_size' in m, but it is in mm");
+}
+
+TEST(StressUpdate, StartsTheMemoryOfALawAtItsInitialValue) {
+  Sheared<2, 2> sheared;
+
+  const StressUpdateBy<2, 2, Coarse> stress{{}, sheared.particles};
+
+  const Column& strain = sheared.particles.column(sheared.particles.find_column("shear_strain", "a test"));
+  EXPECT_EQ(strain.quantity(), (Quantity{"shear_strain", "shear_strain", "-"}));
+  for (const double value : strain.values()) EXPECT_EQ(value, 0.25);
+}
+
 TEST(StressUpdate, GivesALawWithMemoryItsColumn) {
   Sheared<2, 2> sheared;
   const StressUpdateBy<2, 2, Coarse> stress{{}, sheared.particles};
@@ -78,7 +96,8 @@ TEST(StressUpdate, GivesALawWithMemoryItsColumn) {
 
   const std::size_t strain = sheared.particles.find_column("shear_strain", "a test");
   for (Index p = 0; p < 8; ++p) {
-    const double expected = shear_rate(velocity_gradient_of(sheared.particles, p));  // twice half a second
+    // From the initial value on, twice half a second.
+    const double expected = 0.25 + shear_rate(velocity_gradient_of(sheared.particles, p));
     EXPECT_NEAR(sheared.particles.column(strain).component(0)[p], expected, 2 * round_off * expected);
   }
 }
@@ -140,7 +159,10 @@ TEST(StressUpdate, TellsThePressureAndChangesNothing) {
     EXPECT_NEAR(pressure[static_cast<std::size_t>(p)], static_cast<double>(p), 100 * round_off);
   }
   EXPECT_EQ(largest(sheared.particles.stress), 0);
-  EXPECT_EQ(largest(sheared.particles.column(sheared.particles.find_column("shear_strain", "a test"))), 0);
+  for (const double strain :
+       sheared.particles.column(sheared.particles.find_column("shear_strain", "a test")).values()) {
+    EXPECT_EQ(strain, 0.25);
+  }
 }
 
 TEST(StressUpdate, FindsTheDensityThatBearsAPressure) {

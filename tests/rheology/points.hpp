@@ -5,18 +5,30 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <random>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace scree::rheology {
 
-inline constexpr std::array densities{900.0, 1000.0, 1001.0,
-                                      1500.0};  // [kg/m^3], from disconnected to compressed
+/// Densities from disconnected to compressed [kg/m^3].
+template <class Law>
+[[nodiscard]] std::array<double, 4> densities(const Law& law) {
+  return {0.9 * law.density, law.density, 1.001 * law.density, 1.5 * law.density};
+}
 
-/// An aggregate of numbers (a law's Input or State) with every member `value`.
+/// An aggregate of numbers (a law's Input or State) from its members in order.
+template <class Aggregate, class Real, std::size_t N>
+[[nodiscard]] Aggregate made_of(const std::array<Real, N>& numbers) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return Aggregate{numbers[I]...};
+  }
+  (std::make_index_sequence<N>{});
+}
+
+/// An aggregate of numbers with every member `value`.
 template <class Aggregate, class Real>
 [[nodiscard]] Aggregate filled_with(Real value) {
   if constexpr (std::is_empty_v<Aggregate>) {
@@ -24,18 +36,71 @@ template <class Aggregate, class Real>
   } else {
     std::array<Real, sizeof(Aggregate) / sizeof(Real)> numbers{};
     numbers.fill(value);
-    return std::bit_cast<Aggregate>(numbers);
+    return made_of<Aggregate>(numbers);
   }
 }
 
-/// Stress of a law whose inputs are all 1e-3, in SI, and whose state is zero.
+/// A law's memory of nothing.
+template <class Law, class Real = double>
+[[nodiscard]] typename Law::template State<Real> initial_state() {
+  using State = typename Law::template State<Real>;
+  if constexpr (std::is_empty_v<State>) {
+    return {};
+  } else {
+    std::array<Real, Law::states.size()> numbers{};
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = Real(Law::states[i].initial);
+    return made_of<State>(numbers);
+  }
+}
+
+/// Stress of a law whose inputs are all 1e-3, in SI, after a step that starts from its initial state.
 template <class Law, class Real>
 [[nodiscard]] Tensor<Real> stress(const Law& law, const Tensor<Real>& velocity_gradient, Real density,
-                                  Real input = 1e-3) {
+                                  Real input = 1e-3, double dt = 1e-4) {
   using Input = typename Law::template Input<Real>;
-  using State = typename Law::template State<Real>;
   const Deformation<Real> deformation{velocity_gradient, density};
-  return law.update(deformation, filled_with<Input>(input), State{}, Real(1e-4)).stress;
+  return law.update(deformation, filled_with<Input>(input), initial_state<Law, Real>(), Real(dt)).stress;
+}
+
+/// A point that a law is led along a path by.
+template <class Law>
+struct Point {
+  Law law;
+  typename Law::template State<double> state = initial_state<Law>();
+  Tensor<double> stress{};
+
+  void step(const Tensor<double>& velocity_gradient, double density, double dt, double input = 1e-3) {
+    using Input = typename Law::template Input<double>;
+    const auto response = law.update({velocity_gradient, density}, filled_with<Input>(input), state, dt);
+    state = response.state;
+    stress = response.stress;
+  }
+};
+
+[[nodiscard]] inline Tensor<double> transposed(const Tensor<double>& a) {
+  Tensor<double> result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) result(i, j) = a(j, i);
+  }
+  return result;
+}
+
+/// dv_x/dy alone [1/s].
+[[nodiscard]] inline Tensor<double> simple_shear(double rate) {
+  Tensor<double> gradient;
+  gradient(0, 1) = rate;
+  return gradient;
+}
+
+/// What rounding may do to the stress of an elastic law in a step [Pa]: strains are differences of numbers of
+/// order one, made by some 60 operations, and met by 2 G.
+template <class Law>
+[[nodiscard]] double rounding_of_strain(const Law& law) {
+  if constexpr (requires { law.shear_modulus; }) {
+    return 60 * round_off * 2 * law.shear_modulus;
+  } else {
+    return 0;
+  }
 }
 
 /// Velocity gradients with components drawn from [-1, 1] 1/s, always the same ones.

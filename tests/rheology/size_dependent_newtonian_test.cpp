@@ -15,7 +15,7 @@ TEST(SizeDependentNewtonian, IsNewtonianAtOneSize) {  // Eq. (R4)
   const double size = 0.00075;                        // [m]
   const Newtonian same{.viscosity = law.viscosity_per_size * size, .bulk_modulus = 1e7, .density = 1000};
   for (const auto& gradient : velocity_gradients()) {
-    for (const double density : densities) {
+    for (const double density : densities(law)) {
       EXPECT_EQ(stress(law, gradient, density, size).components, stress(same, gradient, density).components);
     }
   }

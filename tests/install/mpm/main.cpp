@@ -13,10 +13,10 @@ struct Dust {
   static constexpr std::string_view name = "dust";
   template <class Real>
   struct Input {};
-  static constexpr std::array<std::string_view, 0> input_names{};
+  static constexpr std::array<scree::InputColumn, 0> inputs{};
   template <class Real>
   struct State {};
-  static constexpr std::array<std::string_view, 0> state_names{};
+  static constexpr std::array<scree::StateColumn, 0> states{};
 
   template <class Real>
   scree::Response<Real, State<Real>> update(const scree::Deformation<Real>& /*deformation*/,

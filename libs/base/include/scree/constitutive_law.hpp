@@ -24,6 +24,19 @@ struct Response {
   State state;          ///< the law's memory at the end of the step
 };
 
+/// A column that a law reads.
+struct InputColumn {
+  std::string_view name;
+  std::string_view unit;  ///< SI; "-" if it has none
+};
+
+/// A column that a law keeps: one number of its memory.
+struct StateColumn {
+  std::string_view name;
+  std::string_view unit;  ///< SI; "-" if it has none
+  double initial = 0;     ///< its value in material that has not been deformed yet [unit]
+};
+
 /// What bounds an explicit step: the law's own speeds and viscosities, at one point.
 struct Stiffness {
   double wave_speed;  ///< of pressure waves [m/s]
@@ -31,16 +44,18 @@ struct Stiffness {
 };
 
 /// The contract of mpm (which calls) and rheology (which supplies): a value type of parameters with a pure
-/// update of one point. `Input` and `State` are aggregates of Real, empty if there is nothing to read or to
-/// remember; their names give the columns that are read and kept.
+/// update of one point: the old state is never changed, so a step can be tried and taken back. `Input` and
+/// `State` are aggregates of Real, empty if there is nothing to read or to remember; `inputs` and `states`
+/// describe their members in order, a column each. An update over no time (dt = 0) gives the stress that the
+/// state already has.
 template <class Law>
 concept ConstitutiveLaw = std::is_trivially_copyable_v<Law> &&
     requires(const Law law, const Deformation<double>& deformation,
              const typename Law::template Input<double>& input,
              const typename Law::template State<double>& state, double dt) {
   { Law::name } -> std::convertible_to<std::string_view>;
-  { Law::input_names.size() } -> std::convertible_to<std::size_t>;
-  { Law::state_names.size() } -> std::convertible_to<std::size_t>;
+  { Law::inputs.size() } -> std::convertible_to<std::size_t>;
+  { Law::states.size() } -> std::convertible_to<std::size_t>;
   { law.update(deformation, input, state, dt) }
   noexcept->std::same_as<Response<double, typename Law::template State<double>>>;
   { law.stiffness(deformation, input) }

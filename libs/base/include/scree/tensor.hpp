@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace scree {
 
@@ -22,10 +23,17 @@ using Vector = Eigen::Matrix<double, D, 1, Eigen::DontAlign>;
 template <int Rows, int Cols = Rows>
 using Matrix = Eigen::Matrix<double, Rows, Cols, Eigen::DontAlign | Eigen::ColMajor>;
 
-/// `a` where `condition` holds, else `b`: a choice that packs and dual numbers can make too.
-template <class Real>
-[[nodiscard]] constexpr Real select(bool condition, const Real& a, const Real& b) noexcept {
-  return condition ? a : b;
+/// `a` where `condition` holds, else `b`: a choice that packs and dual numbers can make too. For a pack the
+/// condition is a mask, a truth per lane, and `where` is the pack's own.
+template <class Condition, class Real>
+[[nodiscard]] constexpr Real select(const Condition& condition, const Real& a, const Real& b) noexcept {
+  if constexpr (std::is_same_v<Condition, bool>) {
+    return condition ? a : b;
+  } else {
+    Real result = b;
+    where(condition, result) = a;
+    return result;
+  }
 }
 
 /// A 3x3 tensor of pointwise physics, whatever the dimension of the mesh: plane strain and a 1D column

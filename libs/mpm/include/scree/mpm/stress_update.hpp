@@ -59,18 +59,18 @@ template <int D, int V>
   return gradient;
 }
 
-/// The stress update by one constitutive law. Its inputs are columns found by name when it is built (an
-/// absent one is an InputError), its state becomes columns of their own.
+/// The stress update by one constitutive law. Its inputs are columns found by name when it is built (one that
+/// is absent or in another unit is an InputError), its state becomes columns of their own, which begin at the
+/// law's initial values.
 template <int D, int V, ConstitutiveLaw Law>
 class StressUpdateBy final : public StressUpdate<D, V> {
  public:
   StressUpdateBy(const Law& law, Particles<D, V>& particles) : law_{law} {
     for (std::size_t i = 0; i < num_inputs; ++i) {
-      inputs_[i] = particles.find_column(Law::input_names[i], "the law '" + std::string{Law::name} + "'");
+      inputs_[i] = input_column(particles, Law::inputs[i]);
     }
     for (std::size_t i = 0; i < num_states; ++i) {
-      states_[i] =
-          particles.add_column({std::string{Law::state_names[i]}, std::string{Law::state_names[i]}, "-"}, 1);
+      states_[i] = state_column(particles, Law::states[i]);
     }
   }
 
@@ -137,8 +137,24 @@ class StressUpdateBy final : public StressUpdate<D, V> {
  private:
   using Input = typename Law::template Input<double>;
   using State = typename Law::template State<double>;
-  static constexpr std::size_t num_inputs = Law::input_names.size();
-  static constexpr std::size_t num_states = Law::state_names.size();
+  static constexpr std::size_t num_inputs = Law::inputs.size();
+  static constexpr std::size_t num_states = Law::states.size();
+
+  [[nodiscard]] static std::size_t input_column(const Particles<D, V>& particles, const InputColumn& input) {
+    const std::string law = "the law '" + std::string{Law::name} + "'";
+    const std::size_t index = particles.find_column(input.name, law);
+    const std::string& unit = particles.column(index).quantity().unit;
+    require(unit == input.unit, law + " reads the column '" + std::string{input.name} + "' in " +
+                                    std::string{input.unit} + ", but it is in " + unit);
+    return index;
+  }
+
+  [[nodiscard]] static std::size_t state_column(Particles<D, V>& particles, const StateColumn& state) {
+    const std::string name{state.name};
+    const std::size_t index = particles.add_column({name, name, std::string{state.unit}}, 1);
+    std::ranges::fill(particles.column(index).values(), state.initial);
+    return index;
+  }
 
   [[nodiscard]] static Deformation<double> deformation_of(const Particles<D, V>& particles,
                                                           Index p) noexcept {

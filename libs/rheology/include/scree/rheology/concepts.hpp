@@ -19,4 +19,12 @@ concept DescribedLaw = ConstitutiveLaw<Law> && std::is_aggregate_v<Law> && requi
   { *Law::parameters.begin() } -> std::convertible_to<LawParameter<Law>>;
 };
 
+/// A law that can tell where its equations are ill-posed: C > 0.  Eq. (R15)
+template <class Law>
+concept HasStabilityNumber = requires(const Law law, const Deformation<double>& deformation,
+                                      const typename Law::template Input<double>& input) {
+  { law.stability_number(deformation, input) }
+  noexcept->std::same_as<double>;
+};
+
 }  // namespace scree::rheology

@@ -1,6 +1,12 @@
 #pragma once
 
+#include <scree/rheology/laws/bingham.hpp>
+#include <scree/rheology/laws/drucker_prager.hpp>
+#include <scree/rheology/laws/granular_elastoviscoplastic.hpp>
+#include <scree/rheology/laws/herschel_bulkley.hpp>
+#include <scree/rheology/laws/mu_of_i.hpp>
 #include <scree/rheology/laws/newtonian.hpp>
+#include <scree/rheology/laws/regularised_mu_of_i.hpp>
 #include <scree/rheology/laws/size_dependent_newtonian.hpp>
 
 #include <variant>
@@ -9,6 +15,7 @@ namespace scree::rheology {
 
 /// Every constitutive law. A new one is a line here: scenes can then name it, and every property test runs
 /// on it.
-using AnyLaw = std::variant<Newtonian, SizeDependentNewtonian>;
+using AnyLaw = std::variant<Bingham, DruckerPrager, GranularElastoviscoplastic, HerschelBulkley, MuOfI,
+                            Newtonian, RegularisedMuOfI, SizeDependentNewtonian>;
 
 }  // namespace scree::rheology

@@ -15,6 +15,12 @@ template <class Real>
   return bulk_modulus * (density * (1 / reference_density) - 1.0);
 }
 
+/// The pressure where grains touch, zero where they do not [Pa]: what friction may be made from.  Eq. (R5)
+template <class Real>
+[[nodiscard]] constexpr Real contact_pressure(const Real& p) noexcept {
+  return select(p < 0.0, Real(0.0), p);
+}
+
 /// Speed of pressure waves sqrt(dp/drho) [m/s].  Eq. (R2)
 /// @param reference_density rho_0 [kg/m^3]  @param bulk_modulus K [Pa]
 [[nodiscard]] inline double wave_speed(double reference_density, double bulk_modulus) noexcept {

@@ -2,36 +2,68 @@
 
 #include <scree/error.hpp>
 
+#include <limits>
+#include <string>
 #include <string_view>
 
 namespace scree::rheology {
 
-/// What values a parameter may take. Infinity and NaN are never among them.
+/// Where the values that a parameter may take begin. Infinity and NaN are never among them.
 enum class Bound { non_negative, positive };
 
 /// One parameter of a law, described for people, readers of scenes and tests.
 template <class Law>
 struct LawParameter {
   std::string_view name;     ///< of the member, which is also its key in a scene
-  std::string_view unit;     ///< SI
+  std::string_view unit;     ///< SI; "-" if it has none
   std::string_view meaning;  ///< in a few words
   double Law::*member;       ///< where its value is
   Bound bound;
   double typical;  ///< an ordinary value, for examples and tests [unit]
+  double upper = std::numeric_limits<double>::infinity();  ///< the value lies below this one [unit]
+  double Law::*exceeds = nullptr;                          ///< another parameter that is smaller, if any
 };
 
 namespace detail {
-/// @throws InputError naming law, parameter, value and bound, unless `value` is within the bound.
+/// @throws InputError naming law, parameter, value and bound, unless `value` is within the bound and below
+/// `upper`.
 void require_within(std::string_view law, std::string_view parameter, std::string_view unit, Bound bound,
-                    double value);
+                    double upper, double value);
+/// @throws InputError naming law, parameter, value and `broken`, unless that is empty.
+void require_relation(std::string_view law, std::string_view parameter, std::string_view unit, double value,
+                      const std::string& broken);
+/// "must exceed mu_s = 0.38"
+[[nodiscard]] std::string must_exceed(std::string_view parameter, double value);
 }  // namespace detail
 
+/// Name of the parameter that a member holds.
+template <class Law>
+[[nodiscard]] constexpr std::string_view name_of(double Law::*member) noexcept {
+  for (const LawParameter<Law>& parameter : Law::parameters) {
+    if (parameter.member == member) return parameter.name;
+  }
+  return {};
+}
+
+/// What `parameter` must do beside lying within its bound: "must exceed mu_s = 0.38"; empty if it does.
+template <class Law>
+[[nodiscard]] std::string broken_relation(const Law& law, const LawParameter<Law>& parameter) {
+  if (parameter.exceeds == nullptr || law.*parameter.member > law.*parameter.exceeds) return {};
+  return detail::must_exceed(name_of(parameter.exceeds), law.*parameter.exceeds);
+}
+
 /// Checks every parameter of a law.
-/// @throws InputError for the first that is out of its bound: law, parameter, value and what was expected.
+/// @throws InputError for the first that is out of its bound or breaks a relation: law, parameter, value and
+/// what was expected.
 template <class Law>
 void validate(const Law& law) {
   for (const LawParameter<Law>& parameter : Law::parameters) {
-    detail::require_within(Law::name, parameter.name, parameter.unit, parameter.bound, law.*parameter.member);
+    detail::require_within(Law::name, parameter.name, parameter.unit, parameter.bound, parameter.upper,
+                           law.*parameter.member);
+  }
+  for (const LawParameter<Law>& parameter : Law::parameters) {
+    detail::require_relation(Law::name, parameter.name, parameter.unit, law.*parameter.member,
+                             broken_relation(law, parameter));
   }
 }
 

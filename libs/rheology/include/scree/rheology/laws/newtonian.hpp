@@ -16,10 +16,10 @@ struct Newtonian {
 
   template <class Real>
   struct Input {};
-  static constexpr std::array<std::string_view, 0> input_names{};
+  static constexpr std::array<InputColumn, 0> inputs{};
   template <class Real>
   struct State {};
-  static constexpr std::array<std::string_view, 0> state_names{};
+  static constexpr std::array<StateColumn, 0> states{};
 
   double viscosity;     ///< mu [Pa s]
   double bulk_modulus;  ///< K [Pa]

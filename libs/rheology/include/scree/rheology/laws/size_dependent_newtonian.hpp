@@ -20,10 +20,10 @@ struct SizeDependentNewtonian {
   struct Input {
     Real grain_size;  ///< arithmetic mean s_a [m]
   };
-  static constexpr std::array<std::string_view, 1> input_names{"grain_size"};
+  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m"}}};
   template <class Real>
   struct State {};
-  static constexpr std::array<std::string_view, 0> state_names{};
+  static constexpr std::array<StateColumn, 0> states{};
 
   double viscosity_per_size;  ///< M [Pa s/m]
   double bulk_modulus;        ///< K [Pa]

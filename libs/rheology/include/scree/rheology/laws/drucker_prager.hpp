@@ -1,0 +1,92 @@
+#pragma once
+
+#include <scree/rheology/concepts.hpp>
+#include <scree/rheology/eigen_symmetric.hpp>
+#include <scree/rheology/kinematics.hpp>
+#include <scree/rheology/newtonian_stress.hpp>
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace scree::rheology {
+
+/// Cohesionless sand at large strain: elastic in the logarithmic (Hencky) strain, shear stress up to friction
+/// times pressure, plastic flow at constant volume, stress-free where it has been pulled apart.
+///
+/// The volume of the elastic strain is that of the material itself, which is what the volume correction of
+/// Tampubolon et al. amounts to: sand that was pulled apart bears load again at the density where it let go,
+/// not before. So the memory is the elastic strain at constant volume, as a left Cauchy-Green tensor.
+/// @see Eqs. (R2), (R5), (R18) and (R22) to (R25), from Klar et al. (2016), \cite klar2016, and Tampubolon et
+/// al. (2017), \cite tampubolon2017
+struct DruckerPrager {
+  static constexpr std::string_view name = "drucker_prager";
+  static constexpr std::string_view summary = "cohesionless sand at large strain, without rate";
+
+  template <class Real>
+  struct Input {};
+  static constexpr std::array<InputColumn, 0> inputs{};
+  template <class Real>
+  using State = Symmetric<Real>;  ///< b, elastic left Cauchy-Green tensor, of determinant 1 [-]
+  static constexpr std::array<StateColumn, 6> states{{{"elastic_stretch_xx", "-", 1},
+                                                      {"elastic_stretch_yy", "-", 1},
+                                                      {"elastic_stretch_zz", "-", 1},
+                                                      {"elastic_stretch_xy", "-"},
+                                                      {"elastic_stretch_xz", "-"},
+                                                      {"elastic_stretch_yz", "-"}}};
+
+  double friction;       ///< shear stress per pressure at yield [-], Eq. (R25)
+  double shear_modulus;  ///< G [Pa]
+  double bulk_modulus;   ///< K [Pa]
+  double density;        ///< rho_0, below which grains do not touch [kg/m^3]
+
+  static constexpr std::array<LawParameter<DruckerPrager>, 4> parameters{{
+      {"friction", "-", "shear stress per pressure at yield", &DruckerPrager::friction, Bound::non_negative,
+       0.69},
+      {"shear_modulus", "Pa", "elastic shear modulus", &DruckerPrager::shear_modulus, Bound::positive, 5e5},
+      {"bulk_modulus", "Pa", "pressure per logarithmic compression", &DruckerPrager::bulk_modulus,
+       Bound::positive, 1e6},
+      {"density", "kg/m^3", "density below which grains do not touch", &DruckerPrager::density,
+       Bound::positive, 1500},
+  }};
+
+  /// Cauchy stress [Pa] and elastic strain at the end of the step.
+  template <class Real>
+  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
+                                                   const Input<Real>& /*input*/, const State<Real>& old,
+                                                   Real dt) const noexcept {
+    using std::exp;
+    using std::log;
+    using std::sqrt;
+    const Real compression = deformation.density * (1 / density);  // 1/J
+    const Real p = bulk_modulus * log(compression);                // J times that of Cauchy
+    const Real is_connected = select(p < 0.0, Real(0.0), Real(1.0));
+    const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
+    const EigenSystem<Real> trial = eigen_symmetric(carried_by(f, old.tensor()));
+    std::array<Real, 3> strain{};  // Hencky, its deviator
+    for (std::size_t i = 0; i < 3; ++i) strain[i] = 0.5 * log(trial.values[i]);
+    const Real mean = (strain[0] + strain[1] + strain[2]) * (1.0 / 3.0);
+    for (Real& e : strain) e = e - mean;
+    const Real tau_trial =
+        shear_modulus * sqrt(2.0 * (strain[0] * strain[0] + strain[1] * strain[1] + strain[2] * strain[2]));
+    const Real strength = friction * contact_pressure(p);
+    const Real kept = is_connected * select(tau_trial <= strength, Real(1.0), strength / tau_trial);
+    std::array<Real, 3> stress{};
+    std::array<Real, 3> stretch{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      strain[i] = kept * strain[i];
+      stress[i] = compression * (2.0 * shear_modulus * strain[i] - is_connected * p);
+      stretch[i] = exp(2.0 * strain[i]);
+    }
+    return {composed(stress, trial.vectors), symmetric(composed(stretch, trial.vectors))};
+  }
+
+  /// Speed of pressure waves [m/s] of the unloaded material, and no viscosity.  Eq. (R21)
+  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
+                                    const Input<double>& /*input*/) const noexcept {
+    return {wave_speed(density, bulk_modulus + 4 * shear_modulus / 3), 0};
+  }
+};
+static_assert(DescribedLaw<DruckerPrager>);
+
+}  // namespace scree::rheology

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <scree/rheology/concepts.hpp>
+#include <scree/rheology/kinematics.hpp>
+#include <scree/rheology/newtonian_stress.hpp>
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace scree::rheology {
+
+/// Grains that rest, flow and fly: elastic below mu_s p, flowing by mu(I) above it, stress-free once they are
+/// looser than the density at which they touch. The flow rule is solved in closed form at the end of the
+/// step, so that no step is too long for it: the law for landslides.
+///
+/// Its memory is the deviatoric stress, turned with the material; the pressure follows the density.
+/// @see Eqs. (R1), (R2), (R5), (R11), (R12) and (R18) to (R21), from Dunatunga & Kamrin (2015),
+/// \cite dunatunga2015
+struct GranularElastoviscoplastic {
+  static constexpr std::string_view name = "granular_elastoviscoplastic";
+  static constexpr std::string_view summary =
+      "grains that rest, flow by mu(I) and disconnect; no viscous limit of the step";
+
+  template <class Real>
+  struct Input {
+    Real grain_size;  ///< arithmetic mean s_a [m]
+  };
+  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m"}}};
+  template <class Real>
+  using State = Symmetric<Real>;  ///< deviator of the Cauchy stress [Pa]
+  static constexpr std::array<StateColumn, 6> states{{{"deviatoric_stress_xx", "Pa"},
+                                                      {"deviatoric_stress_yy", "Pa"},
+                                                      {"deviatoric_stress_zz", "Pa"},
+                                                      {"deviatoric_stress_xy", "Pa"},
+                                                      {"deviatoric_stress_xz", "Pa"},
+                                                      {"deviatoric_stress_yz", "Pa"}}};
+
+  double mu_s;           ///< friction at which flow begins [-]
+  double mu_2;           ///< friction of fast flow [-]
+  double I_0;            ///< inertial number half way between them [-]
+  double grain_density;  ///< rho_s, of the solid [kg/m^3]
+  double shear_modulus;  ///< G [Pa]
+  double bulk_modulus;   ///< K [Pa]
+  double density;        ///< rho_0 of the bulk, below which grains do not touch [kg/m^3]
+
+  using Self = GranularElastoviscoplastic;
+  static constexpr std::array<LawParameter<GranularElastoviscoplastic>, 7> parameters{{
+      {"mu_s", "-", "friction at which flow begins", &Self::mu_s, Bound::positive, 0.382},
+      {.name = "mu_2",
+       .unit = "-",
+       .meaning = "friction of fast flow",
+       .member = &Self::mu_2,
+       .bound = Bound::positive,
+       .typical = 0.644,
+       .exceeds = &Self::mu_s},
+      {"I_0", "-", "inertial number half way between them", &Self::I_0, Bound::positive, 0.279},
+      {"grain_density", "kg/m^3", "density of the solid", &Self::grain_density, Bound::positive, 2500},
+      {"shear_modulus", "Pa", "elastic shear modulus", &Self::shear_modulus, Bound::positive, 5e5},
+      {"bulk_modulus", "Pa", "pressure per relative compression", &Self::bulk_modulus, Bound::positive, 1e6},
+      {"density", "kg/m^3", "density below which grains do not touch", &Self::density, Bound::positive, 1500},
+  }};
+
+  /// Cauchy stress and its deviator at the end of the step [Pa].
+  template <class Real>
+  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
+                                                   const Input<Real>& input, const State<Real>& old,
+                                                   Real dt) const noexcept {
+    using std::sqrt;
+    const Tensor<Real>& gradient = deformation.velocity_gradient;
+    const Real p = pressure(deformation.density, density, bulk_modulus);
+    const Real is_connected = select(p < 0.0, Real(0.0), Real(1.0));
+    const Symmetric<Real> half = Real(shear_modulus * dt) * deviatoric_rate(gradient);
+    const Symmetric<Real> trial = turned(old + half, gradient, dt) + half;
+    const Real tau_trial = sqrt(0.5 * squared_norm(trial));
+    const Real kept = share_kept(tau_trial, contact_pressure(p), input.grain_size, dt);
+    const Symmetric<Real> s = Real(is_connected * kept) * trial;
+    return {s.tensor() - isotropic<Real>(is_connected * p), s};
+  }
+
+  /// Speed of pressure waves [m/s], Eq. (R21). The viscosity that bounds a step is zero: over a step the
+  /// stress changes by at most 2 G D' dt, however slowly the flow would relax it.
+  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
+                                    const Input<double>& /*input*/) const noexcept {
+    return {wave_speed(density, bulk_modulus + 4 * shear_modulus / 3), 0};
+  }
+
+ private:
+  /// tau/tau_trial [-] of the flow rule at the end of the step, 1 below yield.  Eqs. (R19), (R20)
+  template <class Real>
+  [[nodiscard]] Real share_kept(const Real& tau_trial, const Real& p, const Real& grain_size,
+                                const Real& dt) const noexcept {
+    using std::sqrt;
+    const Real S_0 = mu_s * p;
+    const Real S_2 = mu_2 * p;
+    const Real xi = I_0 * shear_modulus / sqrt(grain_density) * sqrt(p) * dt / grain_size;
+    const Real b = S_2 + tau_trial + xi;
+    const Real H = S_2 * tau_trial + S_0 * xi;
+    const Real excess = tau_trial - S_2 + xi;
+    const Real root = sqrt(excess * excess + 4.0 * (S_2 - S_0) * xi);  // of b^2 - 4 H, as a sum of positives
+    const Real flowing = 2.0 * H / ((b + root) * tau_trial);
+    return select(tau_trial <= S_0, Real(1.0), flowing);
+  }
+};
+static_assert(DescribedLaw<GranularElastoviscoplastic>);
+
+}  // namespace scree::rheology

@@ -1,0 +1,64 @@
+// Every law in packs of doubles: each lane has the bits of the same law in double. Compiled without
+// contraction of products and sums, which a compiler may do in one of the two and not in the other.
+
+#include "packs.hpp"
+
+#include "points.hpp"
+#include "typed_lists.hpp"
+
+#include <scree/rheology/laws.hpp>
+
+#include <gtest/gtest.h>
+
+namespace scree::rheology {
+namespace {
+
+template <class Law>
+class EveryLawInPacks : public ::testing::Test {};
+TYPED_TEST_SUITE(EveryLawInPacks, testing::Each<AnyLaw>, testing::EntryName);
+
+/// One point per lane, of unlike densities (disconnected ones among them), gradients and sizes, in three
+/// steps.
+template <class Pack, class Law>
+void expect_lanes_like_points() {
+  using Input = typename Law::template Input<Pack>;
+  constexpr Law law = typical<Law>();
+  constexpr std::size_t num_lanes = Pack::size();
+  const auto gradients = velocity_gradients();
+  std::vector<Point<Law>> points(num_lanes, Point<Law>{law});
+  auto state = initial_state<Law, Pack>();
+  for (std::size_t n = 0; n < 3; ++n) {
+    Deformation<Pack> deformation{};
+    Pack size{};
+    for (std::size_t lane = 0; lane < num_lanes; ++lane) {
+      const auto& gradient = gradients[(n + lane) % gradients.size()];
+      const double density = densities(law)[(3 + n + lane) % 4];
+      const double size_here = 1e-3 * (1 + static_cast<double>(lane));
+      for (std::size_t i = 0; i < 9; ++i) {
+        deformation.velocity_gradient.components[i][lane] = gradient.components[i];
+      }
+      deformation.density[lane] = density;
+      size[lane] = size_here;
+      points[lane].step(gradient, density, 1e-3, size_here);
+    }
+
+    const auto response = law.update(deformation, filled_with<Input>(size), state, Pack(1e-3));
+    state = response.state;
+
+    for (std::size_t lane = 0; lane < num_lanes; ++lane) {
+      for (std::size_t i = 0; i < 9; ++i) {
+        const double in_pack = response.stress.components[i][lane];
+        EXPECT_EQ(in_pack, points[lane].stress.components[i]) << "lane " << lane << ", step " << n;
+      }
+    }
+  }
+}
+
+TYPED_TEST(EveryLawInPacks, HasTheBitsOfDoubleInEachLane) {
+  expect_lanes_like_points<testing::Pack<2>, TypeParam>();
+  expect_lanes_like_points<testing::Pack<4>, TypeParam>();
+  expect_lanes_like_points<testing::Pack<8>, TypeParam>();
+}
+
+}  // namespace
+}  // namespace scree::rheology
