@@ -15,7 +15,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from pareto import pareto_front
 from picture import WIDE, save, spread  # beside the plotting script, which transport_accuracy makes known
 from transport_choice import Cost, evaluations, seconds
-from transport_runs import COMMON, PLANES, TITLES, Line, Scheme
+from transport_runs import MARKS, PLANES, TITLES, Line, Scheme
 
 COLOURS = {  # by limiter, the same in all pictures; dark enough for white paper
     "minmod(1)": "#7a5c99",
@@ -41,7 +41,6 @@ UNITS = {
     "segregation_five_sizes": "L1 error of all fractions",
 }
 KEY = "Grey band: runs that no other beats in both. Solid: RK2, dashed: RK3, dotted: Euler. MC: minmod 2."
-COMMON_KEY = f"{COMMON} one limiter factor for all components."
 
 
 class Finding(NamedTuple):
@@ -72,8 +71,8 @@ def draw_chart(
     _label_lines(panels[1], shown)
     figure.text(0.012, 0.975, TITLES.get(problem, problem), fontsize=20, fontweight="bold", va="top")
     _write(figure, 0.915, finding.sentence, SENTENCE_FONT, "black")
-    common = COMMON_KEY if any(COMMON in line.label for line in shown) else ""
-    _write(figure, 0.025, " ".join(filter(None, (finding.remark, KEY, common))), SMALL_FONT, "0.35")
+    marks = [f"{mark} {meaning}." for mark, meaning in MARKS.items() if any(mark in line.label for line in shown)]
+    _write(figure, 0.025, " ".join(filter(None, (finding.remark, KEY, *marks))), SMALL_FONT, "0.35")
     return save(figure, stem)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-COMMON = "*"  # marks one limiter factor for all components
+MARKS = {"*": "one limiter factor for all components", "\u2020": "in primitive variables, kept admissible"}
 LIMITERS = {
     "minmod(1)": "minmod",
     "minmod(1.3)": "minmod 1.3",
@@ -14,7 +14,12 @@ LIMITERS = {
     "van_leer": "van Leer",
     "van_albada": "van Albada",
 }
-SCHEMES = {"piecewise_constant": "first order", "piecewise_linear_common": COMMON, "piecewise_linear": ""}
+SCHEMES = {
+    "piecewise_constant": "first order",
+    "piecewise_linear": "",
+    "piecewise_linear_common": "*",
+    "primitive": "\u2020",
+}
 INTEGRATORS = {"forward_euler": "forward Euler", "ssp_rk2": "RK2", "ssp_rk3": "RK3"}
 FLUXES = {"kurganov_tadmor": "KT", "kurganov_noelle_petrova": "KNP"}
 TITLES = {
@@ -66,7 +71,7 @@ class Line:
         """Names for people: of the reconstruction with its limiter, the integrator, and the flux if it matters."""
         limiter = _name(LIMITERS, self.scheme.limiter)
         scheme = _name(SCHEMES, self.scheme.scheme)
-        kind = limiter + scheme if scheme == COMMON else " ".join(filter(None, (limiter, scheme)))
+        kind = limiter + scheme if scheme in MARKS else " ".join(filter(None, (limiter, scheme)))
         flux = "" if self.is_same_for_all_fluxes else _name(FLUXES, self.scheme.flux)
         return [part for part in (kind, _name(INTEGRATORS, self.scheme.integrator), flux) if part]
 
