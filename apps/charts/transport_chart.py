@@ -17,14 +17,15 @@ from picture import WIDE, save, spread  # beside the plotting script, which tran
 from transport_choice import Cost, evaluations, seconds
 from transport_runs import MARKS, PLANES, TITLES, Line, Scheme
 
-COLOURS = {  # by limiter, the same in all pictures; dark enough for white paper
+COLOURS = {  # by limiter, or by reconstruction where it has none: the same in all pictures, dark enough for paper
     "minmod(1)": "#7a5c99",
     "minmod(1.3)": "#1f5fa8",
     "minmod(2)": "#b3202c",
     "van_leer": "#0f8a6c",
     "superbee": "#c46a00",
     "van_albada": "#6b6b00",
-    "": "#1a1a1a",
+    "piecewise_constant": "#1a1a1a",
+    "cweno3": "#c2189b",
 }
 SPARE_COLOUR = "#008a9e"  # of limiters that came later
 LINES = {"forward_euler": ":", "ssp_rk2": "-", "ssp_rk3": "--"}
@@ -40,7 +41,10 @@ UNITS = {
     "segregation_two_sizes": "L1 error of all fractions",
     "segregation_five_sizes": "L1 error of all fractions",
 }
-KEY = "Grey band: runs that no other beats in both. Solid: RK2, dashed: RK3, dotted: Euler. MC: minmod 2."
+KEY = (
+    "Grey band: runs that no other beats in both. Solid: RK2, dashed: RK3, dotted: Euler, dash-dotted: staggered. "
+    "MC: minmod 2."
+)
 
 
 class Finding(NamedTuple):
@@ -122,7 +126,7 @@ def _draw_lines(axes: Axes, lines: Sequence[Line], shown: Sequence[Line], cost: 
 
 
 def _colour(scheme: Scheme) -> str:
-    return COLOURS.get(scheme.limiter, SPARE_COLOUR)
+    return COLOURS.get(scheme.limiter or scheme.scheme, SPARE_COLOUR)
 
 
 def _draw_orders(axes: Axes, dimensions: int) -> None:

@@ -54,7 +54,7 @@ def unfit_integrators(problems: Lines) -> dict[str, list[str]]:
     for problem, lines in problems.items():
         middle = error_levels(lines)[1]
         fit = {line.scheme.integrator for line in lines if math.isfinite(_cost(line, evaluations, middle))}
-        for integrator in {line.scheme.integrator for line in lines} - fit:
+        for integrator in {line.scheme.integrator for line in lines if line.scheme.integrator} - fit:
             unfit.setdefault(integrator, []).append(problem)
     return unfit
 
@@ -95,7 +95,7 @@ def sentence(made: Sequence[Choice]) -> str:
 
 def _in_words(line: Line) -> str:
     kind, *others = line.parts
-    return f"{kind} with {' and '.join(others)}"
+    return f"{kind} with {' and '.join(others)}" if others else kind
 
 
 def _span(run: Sequence[Choice]) -> str:
@@ -116,12 +116,13 @@ def _saving(made: Sequence[Choice]) -> str:
 def warning(made: Sequence[Choice], problems: Lines, unfit: dict[str, list[str]]) -> str:
     """Where the choice does badly, and which integrators were left out for what."""
     parts = []
-    for line in {choice.line.scheme.limiter: choice.line for choice in made}.values():
+    for line in {_family(choice.line.scheme): choice.line for choice in made}.values():
         missed = [problem for problem, lines in problems.items() if _misses(lines, line.scheme)]
         if missed:
             parts.append(f"{line.parts[0]} falls behind in {_list_of(missed)}.")
     for integrator, missed in unfit.items():
-        parts.append(f"{INTEGRATORS.get(integrator, integrator)} (grey) is left out: with any limiter it fails in {_list_of(missed)}.")
+        name = INTEGRATORS.get(integrator, integrator)
+        parts.append(f"{name} (grey) is left out: with any limiter it fails in {_list_of(missed)}.")
     return " ".join(part[0].upper() + part[1:] for part in parts)
 
 
@@ -129,12 +130,13 @@ def _list_of(problems: Sequence[str]) -> str:
     return ", ".join(NAMES.get(problem, problem) for problem in problems)
 
 
+def _family(scheme: Scheme) -> tuple[str, str]:
+    """What schemes for a scalar, a system and fractions have in common: limiter, if any, and integrator."""
+    return scheme.limiter or scheme.scheme, scheme.integrator
+
+
 def _misses(lines: Sequence[Line], scheme: Scheme) -> bool:
-    """Whether no scheme with the same limiter and integrator reaches the middle error."""
+    """Whether no scheme of the same family reaches the middle error."""
     middle = error_levels(lines)[1]
-    mine = [
-        line
-        for line in lines
-        if (line.scheme.limiter, line.scheme.integrator) == (scheme.limiter, scheme.integrator)
-    ]
+    mine = [line for line in lines if _family(line.scheme) == _family(scheme)]
     return bool(mine) and not any(math.isfinite(_cost(line, evaluations, middle)) for line in mine)

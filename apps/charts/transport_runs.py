@@ -19,6 +19,7 @@ SCHEMES = {
     "piecewise_linear": "",
     "piecewise_linear_common": "*",
     "primitive": "\u2020",
+    "cweno3": "CWENO3",
 }
 INTEGRATORS = {"forward_euler": "forward Euler", "ssp_rk2": "RK2", "ssp_rk3": "RK3"}
 FLUXES = {"kurganov_tadmor": "KT", "kurganov_noelle_petrova": "KNP"}
