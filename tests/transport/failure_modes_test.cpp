@@ -103,7 +103,7 @@ double largest_beside_small_cell(double alpha) {
   return largest;
 }
 
-TEST(SmallCell, BlowsUpBelowAFifthOfTheOthers) {  // 0.4/2; slivers of mass do not: see failure_modes/small_cell_test.cpp
+TEST(SmallCell, BlowsUpBelowAFifthOfTheOthers) {  // 0.4/2; slivers of mass do not
   EXPECT_LE(largest_beside_small_cell(0.21), 1 + 1e-12);
   EXPECT_GE(largest_beside_small_cell(0.15), 1e10);
 }
