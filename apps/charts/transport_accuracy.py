@@ -38,7 +38,8 @@ def main() -> None:
     summary = ["# What to choose: error against cost of the transport schemes\n"]
     for problem, lines in problems.items():
         made = choices(lines, unfit, seconds)
-        finding = Finding(sentence(made), warning(made, problems, unfit))
+        chosen = {choice.line.scheme for choice in made}
+        finding = Finding(sentence(made), warning(made, problems, unfit), chosen)
         by_count = sentence(choices(lines, unfit, evaluations))
         words = (finding.sentence, finding.remark, f"By flux evaluations: {by_count}")
         summary.append(f"**{TITLES.get(problem, problem)}.** " + "\n".join(filter(None, words)) + "\n")

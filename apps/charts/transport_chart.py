@@ -33,7 +33,8 @@ LABEL_FONT = 14
 LABEL_HEIGHT = 0.062  # [-], of a panel
 SMALL_FONT = 13
 SENTENCE_FONT = 17
-FULL_LINE = 1640  # characters x font size
+MOST_NAMED = 6
+FULL_LINE = 1570  # characters x font size
 UNITS = {
     "sod": "L1 error of the density",
     "shu_osher": "L1 error of the density",
@@ -52,6 +53,7 @@ class Finding(NamedTuple):
 
     sentence: str
     remark: str
+    chosen: Collection[Scheme]  # what the sentence names
 
 
 def draw_chart(
@@ -61,7 +63,7 @@ def draw_chart(
     figure, panels = plt.subplots(1, 2, figsize=WIDE, sharey=True)
     figure.subplots_adjust(left=0.115, right=0.79, top=0.81, bottom=0.25, wspace=0.06)
     fit = [line for line in lines if line.scheme.integrator not in unfit]
-    shown = _lines_on_fronts(fit)
+    shown = _lines_on_fronts(fit, finding.chosen)
     for axes, cost in zip(panels, (seconds, evaluations)):
         axes.set(xscale="log", yscale="log")
         _draw_front(axes, fit, cost)
@@ -74,7 +76,8 @@ def draw_chart(
     _name_errors(panels[0])
     _label_lines(panels[1], shown)
     figure.text(0.012, 0.975, TITLES.get(problem, problem), fontsize=20, fontweight="bold", va="top")
-    _write(figure, 0.915, finding.sentence, SENTENCE_FONT, "black")
+    is_long = len(finding.sentence) > 1.9 * FULL_LINE / SENTENCE_FONT
+    _write(figure, 0.915, finding.sentence, SMALL_FONT if is_long else SENTENCE_FONT, "black")
     marks = [f"{mark} {meaning}." for mark, meaning in MARKS.items() if any(mark in line.label for line in shown)]
     _write(figure, 0.025, " ".join(filter(None, (finding.remark, KEY, *marks))), SMALL_FONT, "0.35")
     return save(figure, stem)
@@ -96,15 +99,16 @@ def _name_errors(axes: Axes) -> None:
         axes.yaxis.set_major_formatter(FuncFormatter(lambda error, _: f"{error:g}"))
 
 
-def _lines_on_fronts(lines: Sequence[Line]) -> list[Line]:
-    """The lines that have more than one run on the front of either cost: one alone may be chance."""
+def _lines_on_fronts(lines: Sequence[Line], chosen: Collection[Scheme]) -> list[Line]:
+    """The chosen lines, and those with the most runs on the fronts of both costs; one alone may be chance."""
     runs = [(line, i) for line in lines for i in range(len(line.errors))]
     errors = [line.errors[i] for line, i in runs]
-    on_front: set[Scheme] = set()
+    counts: Counter[Scheme] = Counter()
     for cost in (seconds, evaluations):
-        counts = Counter(runs[run][0].scheme for run in pareto_front([cost(line)[i] for line, i in runs], errors))
-        on_front.update(scheme for scheme, count in counts.items() if count > 1)
-    return [line for line in lines if line.scheme in on_front]
+        front = pareto_front([cost(line)[i] for line, i in runs], errors)
+        counts.update(runs[run][0].scheme for run in front)
+    often = [scheme for scheme, count in counts.most_common(MOST_NAMED) if count > 1]
+    return [line for line in lines if line.scheme in chosen or line.scheme in often]
 
 
 def _draw_front(axes: Axes, lines: Sequence[Line], cost: Cost) -> None:

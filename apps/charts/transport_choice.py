@@ -89,8 +89,9 @@ def sentence(made: Sequence[Choice]) -> str:
             runs[-1].append(choice)
         else:
             runs.append([choice])
-    parts = [f"{_in_words(run[0].line)} {_span(run)}" for run in runs]
-    return f"Choose {'; '.join(parts)}.{_saving(made)}"
+    first, *others = (f"{_in_words(run[0].line)} for {{}}{_span(run)}" for run in runs)
+    unit = "an error of " if runs[0][0].error == runs[0][-1].error else "errors of "
+    return f"Choose {'; '.join([first.format(unit), *(other.format('') for other in others)])}.{_saving(made)}"
 
 
 def _in_words(line: Line) -> str:
@@ -100,8 +101,8 @@ def _in_words(line: Line) -> str:
 
 def _span(run: Sequence[Choice]) -> str:
     if run[0].error == run[-1].error:
-        return f"for an error of {run[0].error:g}"
-    return f"for errors of {run[0].error:g} to {run[-1].error:g}"
+        return f"{run[0].error:g}"
+    return f"{run[0].error:g} to {run[-1].error:g}"
 
 
 def _saving(made: Sequence[Choice]) -> str:
@@ -123,7 +124,7 @@ def warning(made: Sequence[Choice], problems: Lines, unfit: dict[str, list[str]]
     for integrator, missed in unfit.items():
         name = INTEGRATORS.get(integrator, integrator)
         parts.append(f"{name} (grey) is left out: with any limiter it fails in {_list_of(missed)}.")
-    return " ".join(part[0].upper() + part[1:] for part in parts)
+    return " ".join(part[0].upper() + part[1:] for part in dict.fromkeys(parts))
 
 
 def _list_of(problems: Sequence[str]) -> str:

@@ -72,7 +72,7 @@ class ChoiceOfScheme(unittest.TestCase):
         self.assertAlmostEqual(made[1].cost, math.sqrt(12.5 / 0.006))
         self.assertEqual(
             sentence(made),
-            "Choose minmod 1.3 with RK2 and KT for an error of 0.5; MC with RK2 and KT for errors of 0.006 to 8e-05.",
+            "Choose minmod 1.3 with RK2 and KT for an error of 0.5; MC with RK2 and KT for 0.006 to 8e-05.",
         )
 
     def test_stays_with_a_scheme_whose_cost_is_equal_within_a_tenth(self) -> None:
