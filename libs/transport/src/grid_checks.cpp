@@ -1,6 +1,6 @@
 #include <scree/error.hpp>
 #include <scree/transport/detail/face_tables.hpp>
-#include <scree/transport/detail/position_text.hpp>
+#include <scree/transport/detail/place.hpp>
 
 #include <cmath>
 #include <limits>
@@ -21,7 +21,7 @@ template <int D>
 [[noreturn]] void fail_at_face(const GridFace<D>& face, std::size_t number, std::string_view what) {
   std::ostringstream text;
   text << "FaceGrid: face " << number << " at ";
-  write_position<D>(text, face.centre);
+  text << position_text<D>(face.centre);
   text << " m " << what;
   fail(text);
 }
@@ -30,7 +30,7 @@ template <int D>
 [[noreturn]] void fail_at_cell(const GridParts<D>& grid, std::size_t cell, const std::string& what) {
   std::ostringstream text;
   text << "FaceGrid: cell " << cell << " at ";
-  write_position<D>(text, grid.centres[cell]);
+  text << position_text<D>(grid.centres[cell]);
   text << " m " << what;
   fail(text);
 }
@@ -103,7 +103,7 @@ template <int D>
 void throw_not_finite_in_cell(Index cell, const Vector<D>& position) {
   std::ostringstream text;
   text << "transport: the rate of change is not finite in cell " << cell << ", position ";
-  write_position<D>(text, position);
+  text << position_text<D>(position);
   text << " m";
   throw RunError{text.str()};
 }

@@ -17,8 +17,7 @@ template <int D>
 std::string place_text(const Indices<D>& site, const Vector<D>& position) {
   std::array<double, static_cast<std::size_t>(D)> numbers;
   for (std::size_t axis = 0; axis < D; ++axis) numbers[axis] = static_cast<double>(site[axis]);
-  return "site " + tuple_text(numbers) + ", position " +
-         tuple_text({position.data(), static_cast<std::size_t>(D)}) + " m";
+  return "site " + tuple_text(numbers) + ", position " + position_text<D>(position) + " m";
 }
 
 template std::string place_text<1>(const Indices<1>&, const Vector<1>&);

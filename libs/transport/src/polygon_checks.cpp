@@ -1,7 +1,7 @@
 #include "polygon_checks.hpp"
 
 #include <scree/error.hpp>
-#include <scree/transport/detail/position_text.hpp>
+#include <scree/transport/detail/place.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -26,7 +26,7 @@ double cross(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c) {
 [[noreturn]] void fail_at_cell(const PolygonalMesh& mesh, Index cell, std::string_view what) {
   std::ostringstream text;
   text << "Polygonal: cell " << cell << " at ";
-  write_position<2>(text, middle_of(mesh, cell));
+  text << position_text<2>(middle_of(mesh, cell));
   text << " m " << what;
   fail(text);
 }
@@ -36,7 +36,7 @@ void check_vertices(const PolygonalMesh& mesh) {
     if (mesh.vertices[i].allFinite()) continue;
     std::ostringstream text;
     text << "Polygonal: vertex " << i << " is at ";
-    write_position<2>(text, mesh.vertices[i]);
+    text << position_text<2>(mesh.vertices[i]);
     text << " m: coordinates must be finite";
     fail(text);
   }

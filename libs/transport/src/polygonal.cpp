@@ -1,7 +1,7 @@
 #include "polygon_checks.hpp"
 
 #include <scree/error.hpp>
-#include <scree/transport/detail/position_text.hpp>
+#include <scree/transport/detail/place.hpp>
 #include <scree/transport/grids/polygonal.hpp>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ using Sides = std::vector<Side>;
   std::ostringstream text;
   text << "Polygonal: the edge of cell " << side.cell << " between vertices " << side.low << " and "
        << side.high << ", at ";
-  detail::write_position<2>(text, (vertex(mesh, side.low) + vertex(mesh, side.high)) / 2);
+  text << detail::position_text<2>((vertex(mesh, side.low) + vertex(mesh, side.high)) / 2);
   text << " m, " << what;
   throw InputError{text.str()};
 }
@@ -160,10 +160,10 @@ class BoundaryOfEdge {
 [[noreturn]] void fail_without_partner(const PeriodicPair& pair, const GridFace<2>& face) {
   std::ostringstream text;
   text << "Polygonal: the face at ";
-  detail::write_position<2>(text, face.centre);
+  text << detail::position_text<2>(face.centre);
   text << " m of the periodic boundary \"" << pair.first << "\" has no partner on \"" << pair.second
        << "\" at ";
-  detail::write_position<2>(text, Vector<2>{face.centre + pair.translation});
+  text << detail::position_text<2>(Vector<2>{face.centre + pair.translation});
   text << " m";
   throw InputError{text.str()};
 }
@@ -240,7 +240,7 @@ void check_connected(const PolygonalMesh& mesh, const std::vector<GridFace<2>>& 
     if (has_neighbour[static_cast<std::size_t>(cell)] && find_root(cell) == 0) continue;
     std::ostringstream text;
     text << "Polygonal: cell " << cell << " at ";
-    detail::write_position<2>(text, detail::middle_of(mesh, cell));
+    text << detail::position_text<2>(detail::middle_of(mesh, cell));
     text << " m "
          << (has_neighbour[static_cast<std::size_t>(cell)] ? "is not connected to cell 0"
                                                            : "has no neighbour");

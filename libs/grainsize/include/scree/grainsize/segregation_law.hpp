@@ -27,7 +27,7 @@ struct PointSegregation {
   template <int D>
   [[nodiscard]] State flux(const State& phi, const Vector<D>& /*normal*/) const noexcept {
     const Sums sums = sums_of(phi);
-    const double factor = driver / sums.volume_per_size;
+    const double factor = driver * (1 / sums.volume_per_size);  // one division for flux and speed
     State result;
     transport::for_each_component<N>([&](std::size_t k) {
       result[k] = factor * (phi[k] * (sums.volume_per_size - sums.volume * (*inverse_sizes)[k]));
@@ -73,7 +73,7 @@ struct PointSegregation {
   /// The bound over |B| at one state.
   [[nodiscard]] double relative_speed(const State& phi) const noexcept {
     const Sums sums = sums_of(phi);
-    const double s_h = sums.volume / sums.volume_per_size;
+    const double s_h = sums.volume * (1 / sums.volume_per_size);
     return transport::larger(s_h * inverse_sizes->front() - 1, 1 - s_h * inverse_sizes->back());
   }
 };

@@ -71,8 +71,8 @@ class Solver {
   /// With the usual reconstruction and, if its type is not written out, the usual flux for the law.
   /// @throws as the other.
   Solver(Grid grid, Law law,
-         Options options = {}) requires std::same_as<Reconstruct, UsualReconstruction<Law>>
-      : Solver{std::move(grid), law, usual_reconstruction(law), SspRk2{}, std::move(options)} {}
+         Options options = {}) requires std::same_as<Reconstruct, UsualReconstructionOn<Grid, Law>>
+      : Solver{std::move(grid), law, usual_reconstruction_on<Grid>(law), SspRk2{}, std::move(options)} {}
 
   /// The largest CFL number at which bounds are kept: of a scalar law that is the same everywhere what the
   /// reconstruction promises, else at most 1/2.  Eq. (T9)
@@ -226,10 +226,10 @@ class Solver {
   Storage rates_;
   double time_;
 };
-template <LatticeGrid Grid, class Law>
-Solver(Grid, Law) -> Solver<Grid, Law, UsualReconstruction<Law>, UsualFlux<Law, Grid::dimension>>;
-template <LatticeGrid Grid, class Law>
+template <class Grid, class Law>
+Solver(Grid, Law) -> Solver<Grid, Law, UsualReconstructionOn<Grid, Law>, UsualFlux<Law, Grid::dimension>>;
+template <class Grid, class Law>
 Solver(Grid, Law, SolverOptions<Grid, PointLawOf<Law>::num_components>)
-    -> Solver<Grid, Law, UsualReconstruction<Law>, UsualFlux<Law, Grid::dimension>>;
+    -> Solver<Grid, Law, UsualReconstructionOn<Grid, Law>, UsualFlux<Law, Grid::dimension>>;
 
 }  // namespace scree::transport

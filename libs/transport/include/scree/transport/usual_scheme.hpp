@@ -4,6 +4,7 @@
 #include <scree/transport/fluxes/kurganov_noelle_petrova.hpp>
 #include <scree/transport/fluxes/kurganov_tadmor.hpp>
 #include <scree/transport/reconstructions/admissible.hpp>
+#include <scree/transport/reconstructions/cell_gradient.hpp>
 #include <scree/transport/reconstructions/in_primitives.hpp>
 #include <scree/transport/reconstructions/piecewise_linear.hpp>
 #include <scree/transport/reconstructions/piecewise_linear_common.hpp>
@@ -45,6 +46,22 @@ template <class Law>
 
 template <class Law>
 using UsualReconstruction = decltype(usual_reconstruction(std::declval<const Law&>()));
+
+/// The reconstruction for a law on a kind of grid when nobody chooses one: usual_reconstruction() on
+/// lattices; elsewhere a gradient per cell, which leaves out the slopes that give states that cannot be.
+template <class Grid, class Law>
+[[nodiscard]] auto usual_reconstruction_on(const Law& law) {
+  if constexpr (LatticeGrid<Grid>) {
+    return usual_reconstruction(law);
+  } else if constexpr (KeepsSum<PointLawOf<Law>>) {
+    return CellGradientCommon{SmoothCubic{}, 2, 1.0};
+  } else {
+    return CellGradient{SmoothCubic{}};
+  }
+}
+
+template <class Grid, class Law>
+using UsualReconstructionOn = decltype(usual_reconstruction_on<Grid>(std::declval<const Law&>()));
 
 /// The numerical flux for a law when nobody chooses one: central-upwind for a system that bounds its waves on
 /// both sides, where it has 8 to 25 % less error for 5 % more time; else central.

@@ -12,6 +12,12 @@ namespace scree::transport::detail {
 /// Numbers as people read them: "(1, 0.5)".
 [[nodiscard]] std::string tuple_text(std::span<const double> numbers);
 
+/// A position as people read it.
+template <int D>
+[[nodiscard]] std::string position_text(const Vector<D>& position) {
+  return tuple_text({position.data(), static_cast<std::size_t>(D)});
+}
+
 /// Where a site of a lattice is: "site (1, 2), position (0.375, 0.625) m".
 template <int D>
 [[nodiscard]] std::string place_text(const Indices<D>& site, const Vector<D>& position);
@@ -28,9 +34,8 @@ template <class Grid>
         Numbering<Grid::dimension>{grid.count(), grid.is_periodic()}.site(cell);
     return place_text<Grid::dimension>(site, grid.position(site));
   } else {
-    const Vector<Grid::dimension> centre = grid.centre(cell);
     return "cell " + std::to_string(cell) + ", position " +
-           tuple_text({centre.data(), static_cast<std::size_t>(Grid::dimension)}) + " m";
+           position_text<Grid::dimension>(grid.centre(cell)) + " m";
   }
 }
 

@@ -13,7 +13,7 @@ namespace scree::transport {
 /// A box cut by planes across its axes at any distances: cells of unequal extents, fine where it matters.
 ///
 /// Second order where the extents change smoothly and where they do not. The smallest cell sets the step.
-/// @see Eqs. (T60) to (T63)
+/// @see Eqs. (T60) to (T62)
 template <int D>
 class Rectilinear {
  public:

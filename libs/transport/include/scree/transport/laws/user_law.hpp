@@ -21,8 +21,8 @@ struct UserLaw : WarningOf<SpeedFunction> {
   FluxFunction flux_function;
   SpeedFunction speed_function;
 
-  UserLaw(FluxFunction flux, SpeedFunction max_speed)
-      : flux_function{std::move(flux)}, speed_function{std::move(max_speed)} {}
+  UserLaw(FluxFunction of_flux, SpeedFunction of_speed)
+      : flux_function{std::move(of_flux)}, speed_function{std::move(of_speed)} {}
 
   [[nodiscard]] State flux(const State& u, const Vector<D>& normal) const noexcept {
     if constexpr (detail::ScalarFlux<FluxFunction, D>) {
