@@ -76,7 +76,9 @@ std::vector<double> disk(const Lattice<2>& cells) {
     const Vector<2> centre = cells.position(cells.site(site));
     int inside = 0;
     for (int point = 0; point < points * points; ++point) {
-      const Vector<2> part{(point % points + 0.5) / points - 0.5, (point / points + 0.5) / points - 0.5};
+      const int column = point % points;
+      const int row = point / points;
+      const Vector<2> part{(column + 0.5) / points - 0.5, (row + 0.5) / points - 0.5};
       if (is_in_disk(centre + part.cwiseProduct(cells.spacing))) ++inside;
     }
     u.push_back(static_cast<double>(inside) / (points * points));

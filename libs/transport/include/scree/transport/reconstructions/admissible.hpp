@@ -80,7 +80,9 @@ struct Admissible {
   }
 
   [[nodiscard]] bool holds(const State& here, const Edges<State>& edges) const noexcept {
-    bool result = law.is_admissible(edges.low) & law.is_admissible(edges.high);
+    const bool holds_low = law.is_admissible(edges.low);
+    const bool holds_high = law.is_admissible(edges.high);
+    bool result = holds_low & holds_high;
     if constexpr (!keeps_mean) {
       constexpr double weight = part_in_edges / (1 - part_in_edges);
       State rest;
