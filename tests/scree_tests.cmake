@@ -1,6 +1,9 @@
 find_package(GTest REQUIRED)
 include(GoogleTest)
 
+# What the fast tests run: all that has to be built under the sanitizers.
+add_custom_target(fast_tests)
+
 # scree_tests(<name> SOURCES <files> LINK <targets> [LABEL <label>])
 #
 # One test program. Its tests are labelled fast: they run every day, and under the sanitizers. LABEL flow is for
@@ -15,6 +18,7 @@ function(scree_tests name)
   scree_warnings(${name})
   if(NOT arg_LABEL)
     set(arg_LABEL fast)
+    add_dependencies(fast_tests ${name})
   endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 1500)
 endfunction()
