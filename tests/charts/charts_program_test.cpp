@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cmath>
@@ -48,12 +49,14 @@ std::vector<std::string> cells_of(const std::string& line) {
 class QuickTable : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    const std::string file = ::testing::TempDir() + "scree_charts_quick.csv";
+    // Each test may run in a process of its own, side by side with the others.
+    const std::string file = ::testing::TempDir() + "scree_charts_" + std::to_string(getpid()) + ".csv";
     run_ =
         scree_charts("--quick --problem advection --problem sod --problem segregation_two_sizes -o " + file);
     std::ifstream text{file};
     std::getline(text, header_);
     for (std::string line; std::getline(text, line);) rows_.push_back(cells_of(line));
+    std::remove(file.c_str());
   }
   static std::set<std::string> column(std::size_t number) {
     std::set<std::string> values;

@@ -25,9 +25,9 @@ template <class R>
 class EveryReconstruction : public ::testing::Test {};
 TYPED_TEST_SUITE(EveryReconstruction, test::Types<ReconstructionList>);
 
-TYPED_TEST(EveryReconstruction, KeepsTheMeanAndTheBounds) {
-  if (leaves_bounds<TypeParam>) GTEST_SKIP() << "says that it does not";
+TYPED_TEST(EveryReconstruction, KeepsTheMeanAndTheBoundsUnlessItSaysThatItLeavesThem) {
   std::mt19937 random{7};
+  bool stays_within = true;
   for (int trial = 0; trial < 1000; ++trial) {
     const State below = random_fractions(random);
     const State here = random_fractions(random);
@@ -36,13 +36,14 @@ TYPED_TEST(EveryReconstruction, KeepsTheMeanAndTheBounds) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double low = std::min({below[k], here[k], above[k]});
       const double high = std::max({below[k], here[k], above[k]});
-      EXPECT_NEAR((edges.low[k] + edges.high[k]) / 2, here[k], 2 * round_off);  // two roundings of values < 1
       for (const double edge : {edges.low[k], edges.high[k]}) {
-        EXPECT_GE(edge, low - 8 * round_off);  // eight operations on values < 1
-        EXPECT_LE(edge, high + 8 * round_off);
+        stays_within &= low - 8 * round_off <= edge && edge <= high + 8 * round_off;  // eight operations
       }
+      if (leaves_bounds<TypeParam>) continue;  // a parabola's mean is not that
+      EXPECT_NEAR((edges.low[k] + edges.high[k]) / 2, here[k], 2 * round_off);  // two roundings of values < 1
     }
   }
+  EXPECT_EQ(stays_within, !leaves_bounds<TypeParam>);
 }
 
 TYPED_TEST(EveryReconstruction, LooksTheSameFromBothSides) {
