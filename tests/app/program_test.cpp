@@ -1,5 +1,6 @@
 // The program as people run it: exit codes, files, what it prints.
 
+#include "run_program.hpp"
 #include "scenes.hpp"
 
 #include <scree/io/frame_reader.hpp>
@@ -23,22 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Result {
-  int exit_code;
-  std::string output;  // and errors
-};
+using Result = scree::testing::ProgramResult;
 
 /// Runs the program with arguments as a shell splits them.
 [[nodiscard]] Result scree(const std::string& arguments) {
-  const std::string command = std::string{SCREE_PROGRAM} + " " + arguments + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return {-1, "cannot start the program"};
-  std::string output;
-  std::array<char, 4096> buffer{};
-  for (std::size_t n = 0; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    output.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+  return scree::testing::run_program(SCREE_PROGRAM, arguments);
 }
 
 /// A directory of its own, empty.

@@ -1,15 +1,15 @@
 // The program behind the charts as people run it: what it writes, and what it says when it cannot.
 
+#include "run_program.hpp"
+
 #include <scree/transport/fluxes.hpp>
 #include <scree/transport/integrators.hpp>
 #include <scree/transport/limiters.hpp>
 #include <scree/transport/type_list.hpp>
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -21,21 +21,10 @@
 namespace scree::charts {
 namespace {
 
-struct Result {
-  int exit_code;
-  std::string output;  // and errors
-};
+using Result = testing::ProgramResult;
 
 Result scree_charts(const std::string& arguments) {
-  const std::string command = std::string{SCREE_CHARTS} + " " + arguments + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return {-1, "cannot start the program"};
-  std::string output;
-  std::array<char, 4096> buffer{};
-  for (std::size_t n = 0; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    output.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+  return testing::run_program(SCREE_CHARTS, arguments);
 }
 
 std::vector<std::string> cells_of(const std::string& line) {

@@ -90,7 +90,8 @@ TEST(UnstructuredDiffusion, LosesTheMaximumPrincipleOnSkewCells) {  // and not w
     return *std::min_element(u.begin(), u.end());
   };
   EXPECT_GE(lowest({.count = {12, 12}, .cut = Cut::quadrilaterals}), 0);
-  EXPECT_LE(lowest({.count = {12, 12}, .cut = Cut::triangles, .perturbation = 0.3}), -1e-6);  // ten digits above rounding
+  EXPECT_LE(lowest({.count = {12, 12}, .cut = Cut::triangles, .perturbation = 0.3}),
+            -1e-6);  // ten digits above rounding
 }
 
 double heat_error(Cut cut, Index n) {
