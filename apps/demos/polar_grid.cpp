@@ -26,8 +26,9 @@ class PolarGrid {
     const double step = turn / static_cast<double>(angles);
     const auto along = [&](double j) { return Vector<2>{std::cos(step * j), std::sin(step * j)}; };
     for (Index cell = 0; cell < rows * angles; ++cell) {  // row by row
+      const Index row = cell / angles;
       const auto j = static_cast<double>(cell % angles);
-      const double a = 0.5 + 0.5 * static_cast<double>(cell / angles) / static_cast<double>(rows);
+      const double a = 0.5 + 0.5 * static_cast<double>(row) / static_cast<double>(rows);
       const double b = a + 0.5 / static_cast<double>(rows);
       const Vector<2> outward = along(j + 0.5);
       const double chord = std::cos(step / 2);      // between corners at r = 1: its distance,
