@@ -23,6 +23,11 @@ void* allocate(std::size_t size, std::size_t alignment) {
   if (memory == nullptr) throw std::bad_alloc{};
   return memory;
 }
+
+// Not inlined: seen beside a call of new, free() would be taken for a mistake.
+[[gnu::noinline]] void release(void* memory) noexcept {
+  std::free(memory);
+}
 }  // namespace
 
 // Every allocation of C++ in this program goes through these.
@@ -33,16 +38,16 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   return allocate(size, static_cast<std::size_t>(alignment));
 }
 void operator delete(void* memory) noexcept {
-  std::free(memory);
+  release(memory);
 }
 void operator delete(void* memory, std::size_t /*size*/) noexcept {
-  std::free(memory);
+  release(memory);
 }
 void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept {
-  std::free(memory);
+  release(memory);
 }
 void operator delete(void* memory, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept {
-  std::free(memory);
+  release(memory);
 }
 
 namespace scree::transport {
