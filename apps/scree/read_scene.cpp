@@ -236,6 +236,8 @@ void read_numerics(const TomlTable& table, Scene& scene) {
       table.number_or(options.advective, "advective", "share of the advective limit of dt [-]", share);
   options.viscous =
       table.number_or(options.viscous, "viscous", "share of the viscous limit of dt [-]", share);
+  options.relaxation = table.number_or(options.relaxation, "relaxation",
+                                       "share of the time in which a law's memory changes [-]", share);
   options.maximum =
       table.number_or(0, "maximum_dt", "the user's own limit of dt [s]; 0 is none", at_least(0));
 }

@@ -54,6 +54,7 @@ void for_each_number(SimulationType& simulation, Visit&& visit) {
   visit("wave_speed", simulation.state.rates.wave_speed);
   visit("kinematic_viscosity", simulation.state.rates.kinematic_viscosity);
   visit("advection_rate", simulation.state.rates.advection_rate);
+  visit("relaxation_rate", simulation.state.rates.relaxation_rate);
   visit("mass_floor", simulation.state.mass_floor);
   visit("segregation_steps", simulation.tally.segregation_steps);
   visit("segregation_substeps", simulation.tally.segregation_substeps);

@@ -2,9 +2,10 @@
 
 #include "scree/axes.hpp"
 
+#include <scree/rheology/columns.hpp>
+
 #include <fmt/format.h>
 
-#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -19,11 +20,10 @@ namespace {
         using Law = std::decay_t<decltype(law)>;
         using Input = typename Law::template Input<double>;
         const Deformation<double> at_rest{Tensor<double>{}, law.density};
-        if constexpr (Law::inputs.size() == 1) {
-          return law.stiffness(at_rest, std::bit_cast<Input>(grain_size)).viscosity;
-        } else {
-          return law.stiffness(at_rest, Input{}).viscosity;
-        }
+        const auto input = rheology::made_of<Input>(Law::inputs, [&](const InputColumn& column) {
+          return column.name == "grain_size" ? grain_size : 0.0;
+        });
+        return law.stiffness(at_rest, input, rheology::initial_state<Law>()).viscosity;
       },
       any_law);
 }

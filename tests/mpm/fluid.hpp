@@ -32,7 +32,8 @@ struct Fluid {
     return {viscous - isotropic(pressure), {}};
   }
   [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
-                                    const Input<double>& /*input*/) const noexcept {
+                                    const Input<double>& /*input*/,
+                                    const State<double>& /*state*/) const noexcept {
     return {std::sqrt(bulk_modulus / reference_density), viscosity};
   }
 };

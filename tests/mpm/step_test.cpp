@@ -185,6 +185,40 @@ TEST(Step, NamesAPointWhoseMotionIsNotANumber) {
             "material point 7 at (nan) m has no finite position");
 }
 
+/// A law that fails where the density is below that of water, by as much.
+struct Unsolvable : Fluid {
+  static constexpr std::string_view name = "unsolvable";
+
+  template <class Real>
+  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
+                                                   const Input<Real>& input, const State<Real>& old,
+                                                   Real dt) const noexcept {
+    auto response = Fluid::update(deformation, input, old, dt);
+    response.unsolved = select(deformation.density < 1000, 1 - deformation.density / 1000, Real(0));
+    return response;
+  }
+};
+
+TEST(Step, NamesThePointWhoseLawWasNotSolved) {
+  const auto grid = cube<1>(4, 0.125, false);
+  Particles<1> particles;
+  particles.resize(3);
+  for (Index p = 0; p < 3; ++p) {
+    particles.id.component(0)[p] = 7 + static_cast<double>(p);
+    particles.mass.component(0)[p] = 1;
+    particles.density.component(0)[p] = 1000 - 250 * static_cast<double>(p % 2);
+    particles.position.component(0)[p] = 0.125 * static_cast<double>(p + 1);
+  }
+  auto stages = stages_of<1, 1>(particles, Quadratic{}, Apic{});
+  stages.stress = std::make_unique<StressUpdateBy<1, 1, Unsolvable>>(Unsolvable{dust}, particles);
+  auto state = start(std::move(particles), grid, stages, one_thread);
+
+  EXPECT_EQ(
+      message_of<RunError>([&] { step(state, stages, 1e-3, one_thread); }),
+      "the law 'unsolvable' was not solved at material point 8 at (0.25) m: its equations are left with a "
+      "relative error of 0.25; a shorter step may help");
+}
+
 TEST(AdvanceMomentum, LeavesNodesBelowTheFloorAtRest) {  // Eq. (M20)
   Nodes<1> nodes{cube<1>(4, 0.1, false), {1, true}};
   for (Index n = 0; n < 2; ++n) {

@@ -46,6 +46,13 @@ TEST(StableTimeStep, KeepsToTheLimitOfExplicitViscosity) {  // Eq. (M19)
   EXPECT_EQ(step.limit, Limit::viscous);
 }
 
+TEST(StableTimeStep, FollowsTheMemoryOfTheLaw) {  // Eq. (M25)
+  const auto step = stable_time_step(grid, {.wave_speed = 1, .relaxation_rate = 400}, {.relaxation = 0.25});
+
+  EXPECT_EQ(step.dt, 0.25 / 400);
+  EXPECT_EQ(step.limit, Limit::relaxation);
+}
+
 TEST(StableTimeStep, IsNoLongerThanTheUserWants) {
   const auto step = stable_time_step(grid, {}, {.maximum = 0.01});
 
@@ -73,8 +80,10 @@ TEST(StableTimeStep, HasANameForEveryLimit) {
 TEST(StableTimeStep, RefusesSharesOutsideZeroToOne) {
   const Rates rates{.wave_speed = 10, .kinematic_viscosity = 0, .advection_rate = 0};
   for (const double share : {0.0, -0.5, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
-    for (const TimeStepOptions& options :
-         {TimeStepOptions{.acoustic = share}, {.advective = share}, {.viscous = share}}) {
+    for (const TimeStepOptions& options : {TimeStepOptions{.acoustic = share},
+                                           {.advective = share},
+                                           {.viscous = share},
+                                           {.relaxation = share}}) {
       EXPECT_EQ(message_of<InputError>([&] { static_cast<void>(stable_time_step(grid, rates, options)); }),
                 "TimeStepOptions: each share of a limit must lie in (0, 1]");
     }

@@ -24,23 +24,34 @@ class EveryLaw : public ::testing::Test {
 };
 TYPED_TEST_SUITE(EveryLaw, testing::Each<AnyLaw>, testing::EntryName);
 
-/// The laws of a list that have a memory, or those that have none.
-template <bool has_memory, class List>
+/// The laws of a list that have a property.
+template <template <class> class Property, class List>
 struct Chosen;
-template <bool has_memory, template <class...> class List, class... Laws>
-struct Chosen<has_memory, List<Laws...>> {
+template <template <class> class Property, template <class...> class List, class... Laws>
+struct Chosen<Property, List<Laws...>> {
   using type = decltype(std::tuple_cat(
-      std::conditional_t<Laws::states.empty() != has_memory, std::tuple<Laws>, std::tuple<>>{}...));
+      std::conditional_t<Property<Laws>::value, std::tuple<Laws>, std::tuple<>>{}...));
 };
+template <class Law>
+struct HasMemory : std::bool_constant<!Law::states.empty()> {};
+template <class Law>
+struct HasNoMemory : std::bool_constant<Law::states.empty()> {};
+template <class Law>
+struct Disconnects : std::bool_constant<disconnects<Law>> {};
+
+template <class Law>
+class EveryLawThatDisconnects : public EveryLaw<Law> {};
+using Disconnecting = Chosen<Disconnects, AnyLaw>::type;
+TYPED_TEST_SUITE(EveryLawThatDisconnects, testing::Each<Disconnecting>, testing::EntryName);
 
 template <class Law>
 class EveryLawWithMemory : public EveryLaw<Law> {};
-using WithMemory = Chosen<true, AnyLaw>::type;
+using WithMemory = Chosen<HasMemory, AnyLaw>::type;
 TYPED_TEST_SUITE(EveryLawWithMemory, testing::Each<WithMemory>, testing::EntryName);
 
 template <class Law>
 class EveryLawWithoutMemory : public EveryLaw<Law> {};
-using WithoutMemory = Chosen<false, AnyLaw>::type;
+using WithoutMemory = Chosen<HasNoMemory, AnyLaw>::type;
 TYPED_TEST_SUITE(EveryLawWithoutMemory, testing::Each<WithoutMemory>, testing::EntryName);
 
 TYPED_TEST(EveryLaw, DescribesEachNumberItReadsAndKeeps) {
@@ -196,6 +207,18 @@ TYPED_TEST(EveryLaw, DoesNotHideANan) {
   }
 }
 
+TYPED_TEST(EveryLaw, SolvesItsEquations) {
+  using Input = typename TypeParam::template Input<double>;
+  for (const auto& gradient : velocity_gradients()) {
+    for (const double density : densities(this->law)) {
+      const auto response =
+          this->law.update({gradient, density}, filled_with<Input>(1e-3), initial_state<TypeParam>(), 1e-3);
+
+      EXPECT_EQ(response.unsolved, 0) << density;
+    }
+  }
+}
+
 TYPED_TEST(EveryLaw, IsAFunctionOfItsArgumentsAlone) {
   for (const auto& gradient : velocity_gradients()) {
     const auto first = stress(this->law, gradient, 1.001 * this->law.density);
@@ -245,7 +268,7 @@ TYPED_TEST(EveryLaw, KeepsItsStressOverNoTime) {
 }
 
 /// p < 0: no stress, no NaN, and full strength as soon as the material is dense again.
-TYPED_TEST(EveryLaw, LosesNothingToATimeWithoutContact) {  // Eq. (R5)
+TYPED_TEST(EveryLawThatDisconnects, LosesNothingToATimeWithoutContact) {  // Eq. (R5)
   for (const auto& gradient : velocity_gradients()) {
     Point<TypeParam> point{this->law};
     point.step(gradient, 1.01 * this->law.density, 1e-3);
@@ -264,10 +287,12 @@ TYPED_TEST(EveryLaw, HasFiniteStiffness) {
   using Input = typename TypeParam::template Input<double>;
   for (const double density : densities(this->law)) {
     for (const auto& gradient : {velocity_gradients().front(), Tensor<double>{}}) {
-      const auto stiffness = this->law.stiffness({gradient, density}, filled_with<Input>(1e-3));
+      const auto stiffness =
+          this->law.stiffness({gradient, density}, filled_with<Input>(1e-3), initial_state<TypeParam>());
 
       EXPECT_TRUE(stiffness.wave_speed > 0 && std::isfinite(stiffness.wave_speed));
       EXPECT_TRUE(stiffness.viscosity >= 0 && std::isfinite(stiffness.viscosity));
+      EXPECT_TRUE(stiffness.relaxation_rate >= 0 && std::isfinite(stiffness.relaxation_rate));
     }
   }
 }

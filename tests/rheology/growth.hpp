@@ -49,7 +49,7 @@ template <class Law>
     }
     return traction;
   };
-  const double viscosity = law.stiffness({base, density}, {1e-3}).viscosity;
+  const double viscosity = law.stiffness({base, density}, {1e-3}, {}).viscosity;
   double least = std::numeric_limits<double>::infinity();
   for (int n = 0; n < num_directions; ++n) {
     const double angle = std::numbers::pi * n / num_directions;

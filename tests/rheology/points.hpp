@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/constitutive_law.hpp>
+#include <scree/rheology/columns.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -19,38 +20,11 @@ template <class Law>
   return {0.9 * law.density, law.density, 1.001 * law.density, 1.5 * law.density};
 }
 
-/// An aggregate of numbers (a law's Input or State) from its members in order.
-template <class Aggregate, class Real, std::size_t N>
-[[nodiscard]] Aggregate made_of(const std::array<Real, N>& numbers) {
-  return [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return Aggregate{numbers[I]...};
-  }
-  (std::make_index_sequence<N>{});
-}
-
 /// An aggregate of numbers with every member `value`.
 template <class Aggregate, class Real>
 [[nodiscard]] Aggregate filled_with(Real value) {
-  if constexpr (std::is_empty_v<Aggregate>) {
-    return {};
-  } else {
-    std::array<Real, sizeof(Aggregate) / sizeof(Real)> numbers{};
-    numbers.fill(value);
-    return made_of<Aggregate>(numbers);
-  }
-}
-
-/// A law's memory of nothing.
-template <class Law, class Real = double>
-[[nodiscard]] typename Law::template State<Real> initial_state() {
-  using State = typename Law::template State<Real>;
-  if constexpr (std::is_empty_v<State>) {
-    return {};
-  } else {
-    std::array<Real, Law::states.size()> numbers{};
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = Real(Law::states[i].initial);
-    return made_of<State>(numbers);
-  }
+  std::array<Real, std::is_empty_v<Aggregate> ? 0 : sizeof(Aggregate) / sizeof(Real)> numbers{};
+  return made_of<Aggregate>(numbers, [&](const Real&) { return value; });
 }
 
 /// Stress of a law whose inputs are all 1e-3, in SI, after a step that starts from its initial state.

@@ -1,4 +1,5 @@
 #include "instances.hpp"
+#include "point_text.hpp"
 
 #include <scree/mpm/cell_sort.hpp>
 
@@ -50,20 +51,16 @@ struct Numbering {
 
 template <int D, int V>
 [[noreturn]] void throw_outside(const Particles<D, V>& particles, const CartesianGrid<D>& grid, Index p) {
-  std::string at;
   std::string box;
+  bool is_finite = true;
   for (int axis = 0; axis < D; ++axis) {
     char text[96];
-    std::snprintf(text, sizeof text, "%s%.6g", axis ? ", " : "", particles.position.component(axis)[p]);
-    at += text;
     std::snprintf(text, sizeof text, "%s[%.6g, %.6g]", axis ? " x " : "", grid.origin()[axis],
                   grid.origin()[axis] + grid.length(axis));
     box += text;
+    is_finite = is_finite && std::isfinite(particles.position.component(axis)[p]);
   }
-  char number[32];
-  std::snprintf(number, sizeof number, "%.0f", particles.id.component(0)[p]);
-  const bool is_finite = at.find("nan") == std::string::npos && at.find("inf") == std::string::npos;
-  throw RunError{"material point " + std::string{number} + " at (" + at + ") m " +
+  throw RunError{point_text(particles, p) + ' ' +
                  (is_finite ? "is outside the mesh " + box + " m" : "has no finite position")};
 }
 

@@ -1,10 +1,12 @@
 #include "instances.hpp"
+#include "point_text.hpp"
 
 #include <scree/mpm/cell_sort.hpp>
 #include <scree/mpm/step.hpp>
 
 #include <algorithm>
 #include <chrono>
+#include <sstream>
 
 namespace scree::mpm {
 
@@ -69,9 +71,26 @@ void reduce(State<D, V>& state) {
     Rates& worst = state.rates;
     worst.wave_speed = std::max(worst.wave_speed, result.stiffness.wave_speed);
     worst.kinematic_viscosity = std::max(worst.kinematic_viscosity, result.stiffness.kinematic_viscosity);
+    worst.relaxation_rate = std::max(worst.relaxation_rate, result.stiffness.relaxation_rate);
     worst.advection_rate = std::max(worst.advection_rate, result.motion.advection_rate);
     state.needs_sort = state.needs_sort || result.motion.needs_sort;
   }
+}
+
+/// @throws RunError naming the law and the point that it was furthest from solving.
+template <int D, int V>
+void require_solved(const State<D, V>& state, const Stages<D, V>& stages) {
+  BlockStiffness worst;
+  for (const BlockResult& result : state.block_results) {
+    if (result.stiffness.unsolved > worst.unsolved) worst = result.stiffness;
+  }
+  if (!(worst.unsolved > 0)) return;
+  std::ostringstream message;
+  message << "the law '" << stages.stress->law() << "' was not solved at "
+          << point_text(state.particles, worst.unsolved_point)
+          << ": its equations are left with a relative error of " << worst.unsolved
+          << "; a shorter step may help";
+  throw RunError{message.str()};
 }
 
 }  // namespace
@@ -87,6 +106,7 @@ State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const
   const BlockStiffness stiffness = stages.stress->stiffness(state.particles);
   state.rates.wave_speed = stiffness.wave_speed;
   state.rates.kinematic_viscosity = stiffness.kinematic_viscosity;
+  state.rates.relaxation_rate = stiffness.relaxation_rate;
   for (Index p = 0; p < state.particles.size(); ++p) {
     double rate = 0;
     for (int axis = 0; axis < D; ++axis) {
@@ -100,6 +120,7 @@ State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const
 template <int D, int V>
 void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
   scatter(state, stages, dt, threads);
+  require_solved(state, stages);
   move_nodes(state, stages, dt, threads);
   gather(state, stages, dt, threads);
   reduce(state);

@@ -25,7 +25,7 @@ struct Dust {
     return {};
   }
   scree::Stiffness stiffness(const scree::Deformation<double>& /*deformation*/,
-                             const Input<double>& /*input*/) const noexcept {
+                             const Input<double>& /*input*/, const State<double>& /*state*/) const noexcept {
     return {0, 0};
   }
 };

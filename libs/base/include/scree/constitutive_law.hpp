@@ -22,6 +22,9 @@ template <class Real, class State>
 struct Response {
   Tensor<Real> stress;  ///< Cauchy stress, tension positive [Pa]
   State state;          ///< the law's memory at the end of the step
+  /// What is left of the law's own equations, relative to their terms [-]: 0 where they have been solved, as
+  /// a closed form always has; else the step must not be taken.
+  Real unsolved{};
 };
 
 /// A column that a law reads.
@@ -37,10 +40,13 @@ struct StateColumn {
   double initial = 0;     ///< its value in material that has not been deformed yet [unit]
 };
 
-/// What bounds an explicit step: the law's own speeds and viscosities, at one point.
+/// What bounds an explicit step: the law's own speeds, viscosities and rates, at one point.
 struct Stiffness {
   double wave_speed;  ///< of pressure waves [m/s]
   double viscosity;   ///< effective dynamic viscosity [Pa s]
+  /// Fastest rate at which the law's memory changes without being solved for [1/s]: the step that the law
+  /// suggests is its inverse.
+  double relaxation_rate = 0;
 };
 
 /// The contract of mpm (which calls) and rheology (which supplies): a value type of parameters with a pure
@@ -58,7 +64,7 @@ concept ConstitutiveLaw = std::is_trivially_copyable_v<Law> &&
   { Law::states.size() } -> std::convertible_to<std::size_t>;
   { law.update(deformation, input, state, dt) }
   noexcept->std::same_as<Response<double, typename Law::template State<double>>>;
-  { law.stiffness(deformation, input) }
+  { law.stiffness(deformation, input, state) }
   noexcept->std::same_as<Stiffness>;
 };
 

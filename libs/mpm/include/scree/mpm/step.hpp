@@ -62,7 +62,8 @@ template <int D, int V>
 
 /// Advances all points by dt: stress first, with the velocity gradient of the last step, then momentum, then
 /// positions.  @see Eqs. (M1)-(M13), the algorithm of docs/equations/mpm.md
-/// @throws RunError naming a point that has left the mesh or has no finite position.
+/// @throws RunError naming a point that has left the mesh, has no finite position, or whose law was not
+/// solved; in that case no point has moved.
 template <int D, int V>
 void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads);
 

@@ -10,14 +10,19 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace scree::mpm {
 
-/// The largest speed and viscosity met in a block: what bounds the next step.
+/// The largest speed, viscosity and rate met in a block: what bounds the next step; and what its law could
+/// not solve.
 struct BlockStiffness {
   double wave_speed = 0;           ///< [m/s]
   double kinematic_viscosity = 0;  ///< viscosity over density [m^2/s]
+  double relaxation_rate = 0;      ///< [1/s]
+  double unsolved = 0;             ///< worst of its points, `Response::unsolved` [-]
+  Index unsolved_point = -1;       ///< that point
 };
 
 /// Brings the stress of a block's points up to date with their motion; the law is chosen once, in here.
@@ -28,6 +33,9 @@ class StressUpdate {
   StressUpdate(const StressUpdate&) = delete;
   StressUpdate& operator=(const StressUpdate&) = delete;
   virtual ~StressUpdate() = default;
+
+  /// Name of the law.
+  [[nodiscard]] virtual std::string_view law() const noexcept = 0;
 
   /// Writes the stress column of the block, and the law's state.
   virtual BlockStiffness apply(Particles<D, V>& particles, const ParticleBlock<D>& block,
@@ -74,6 +82,8 @@ class StressUpdateBy final : public StressUpdate<D, V> {
     }
   }
 
+  [[nodiscard]] std::string_view law() const noexcept override { return Law::name; }
+
   BlockStiffness apply(Particles<D, V>& particles, const ParticleBlock<D>& block,
                        double dt) const noexcept override {
     BlockStiffness worst;
@@ -88,7 +98,11 @@ class StressUpdateBy final : public StressUpdate<D, V> {
         }
       }
       store(particles, response.state, p);
-      widen(worst, deformation, input);
+      widen(worst, deformation, input, response.state);
+      if (response.unsolved > worst.unsolved) {
+        worst.unsolved = response.unsolved;
+        worst.unsolved_point = p;
+      }
     }
     return worst;
   }
@@ -129,7 +143,8 @@ class StressUpdateBy final : public StressUpdate<D, V> {
   [[nodiscard]] BlockStiffness stiffness(const Particles<D, V>& particles) const noexcept override {
     BlockStiffness worst;
     for (Index p = 0; p < particles.size(); ++p) {
-      widen(worst, deformation_of(particles, p), load<Input>(particles, inputs_, p));
+      widen(worst, deformation_of(particles, p), load<Input>(particles, inputs_, p),
+            load<State>(particles, states_, p));
     }
     return worst;
   }
@@ -181,11 +196,12 @@ class StressUpdateBy final : public StressUpdate<D, V> {
     }
   }
 
-  void widen(BlockStiffness& worst, const Deformation<double>& deformation,
-             const Input& input) const noexcept {
-    const Stiffness here = law_.stiffness(deformation, input);
+  void widen(BlockStiffness& worst, const Deformation<double>& deformation, const Input& input,
+             const State& state) const noexcept {
+    const Stiffness here = law_.stiffness(deformation, input, state);
     worst.wave_speed = std::max(worst.wave_speed, here.wave_speed);
     worst.kinematic_viscosity = std::max(worst.kinematic_viscosity, here.viscosity / deformation.density);
+    worst.relaxation_rate = std::max(worst.relaxation_rate, here.relaxation_rate);
   }
 
   Law law_;

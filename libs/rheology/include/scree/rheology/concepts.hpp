@@ -19,6 +19,18 @@ concept DescribedLaw = ConstitutiveLaw<Law> && std::is_aggregate_v<Law> && requi
   { *Law::parameters.begin() } -> std::convertible_to<LawParameter<Law>>;
 };
 
+/// Whether grains looser than the law's `density` do not touch and bear no stress, Eq. (R5): so it is, unless
+/// a law that presses at any density (a gas of grains, a soil under an initial pressure) says `static
+/// constexpr bool disconnects = false`.
+template <class Law>
+inline constexpr bool disconnects = [] {
+  if constexpr (requires { Law::disconnects; }) {
+    return Law::disconnects;
+  } else {
+    return true;
+  }
+}();
+
 /// A law that can tell where its equations are ill-posed: C > 0.  Eq. (R15)
 template <class Law>
 concept HasStabilityNumber = requires(const Law law, const Deformation<double>& deformation,

@@ -83,7 +83,8 @@ struct DruckerPrager {
 
   /// Speed of pressure waves [m/s] of the unloaded material, and no viscosity.  Eq. (R21)
   [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
-                                    const Input<double>& /*input*/) const noexcept {
+                                    const Input<double>& /*input*/,
+                                    const State<double>& /*state*/) const noexcept {
     return {wave_speed(density, bulk_modulus + 4 * shear_modulus / 3), 0};
   }
 };

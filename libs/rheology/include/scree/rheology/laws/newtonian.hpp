@@ -44,7 +44,8 @@ struct Newtonian {
 
   /// Wave speed [m/s], Eq. (R2), and viscosity [Pa s].
   [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
-                                    const Input<double>& /*input*/) const noexcept {
+                                    const Input<double>& /*input*/,
+                                    const State<double>& /*state*/) const noexcept {
     return {wave_speed(density, bulk_modulus), viscosity};
   }
 };

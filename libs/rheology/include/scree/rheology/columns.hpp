@@ -1,0 +1,33 @@
+#pragma once
+
+#include <scree/constitutive_law.hpp>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace scree::rheology {
+
+/// An aggregate of numbers (a law's Input or State), each made from the column that describes it.
+/// @param columns the law's `inputs` or `states`  @param number_of from a column to its value, in its unit
+template <class Aggregate, class Columns, class NumberOf>
+[[nodiscard]] constexpr Aggregate made_of(const Columns& columns, const NumberOf& number_of) {
+  if constexpr (std::is_empty_v<Aggregate>) {
+    return Aggregate{};
+  } else {
+    return [&]<std::size_t... I>(std::index_sequence<I...>) {
+      return Aggregate{number_of(columns[I])...};
+    }
+    (std::make_index_sequence<std::tuple_size_v<Columns>>{});
+  }
+}
+
+/// A law's memory of material that has not been deformed yet.
+template <class Law, class Real = double>
+[[nodiscard]] constexpr typename Law::template State<Real> initial_state() {
+  return made_of<typename Law::template State<Real>>(
+      Law::states, [](const StateColumn& column) { return Real(column.initial); });
+}
+
+}  // namespace scree::rheology
