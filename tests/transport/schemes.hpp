@@ -55,4 +55,54 @@ void advance_in_full_steps(Solver&& solver, std::vector<double>& u, double durat
   }
 }
 
+/// Advances by steps of a given length and one of what is left.
+template <class Solver>
+void advance_in_steps_of(double length, Solver&& solver, std::vector<double>& u, double duration) {
+  double remaining = duration;
+  while (remaining > duration * 1e-12) {
+    const double dt = std::min(length, remaining);
+    solver.advance(u, dt);
+    remaining -= dt;
+  }
+}
+
+/// Advances by steps that no solver would take or that it does not know, which nothing checks: of a length
+/// that `length_of(bounds)` gives, bounds those of the state at hand, and one of what is left.
+/// @param hold called after each stage with its states, to hold some of them  @return the number of steps
+template <class Rates, class LengthOf, class Hold>
+int advance_unchecked(Rates& rates, Stages stages, std::vector<double>& u, double duration,
+                      LengthOf&& length_of, Hold&& hold) {
+  using Storage = typename Rates::Storage;
+  Storage now{rates.num_sites()};
+  Storage stage{rates.num_sites()};
+  Storage next{rates.num_sites()};
+  now.gather(u, {});
+  int num_steps = 0;
+  for (double remaining = duration; remaining > duration * 1e-12; ++num_steps) {
+    const double dt = std::min<double>(length_of(rates(now, next, 0)), remaining);
+    for (std::size_t i = 0; i < now.all().size(); ++i) stage.all()[i] = now.all()[i] + dt * next.all()[i];
+    hold(stage);
+    for (const double kept : stages.kept.subspan(1)) {
+      rates.advance_stage(stage, now, next, kept, dt, 0);
+      std::swap(stage, next);
+      hold(stage);
+    }
+    std::swap(now, stage);
+    remaining -= dt;
+  }
+  now.scatter(u, {}, [](Index) { return true; });
+  return num_steps;
+}
+
+/// The rule of the tables in the plane: dt = cfl dx over the largest speed along any axis, which is up to
+/// twice the CFL number of a solver.
+template <class Rates>
+int advance_by_fastest_axis(Rates& rates, Stages stages, std::vector<double>& u, double duration,
+                            double cfl) {
+  const double dx = rates.problem().grid.width(0, 0);
+  return advance_unchecked(
+      rates, stages, u, duration, [&](const StepBounds& bounds) { return cfl * dx / bounds.speed; },
+      [](const auto&) {});
+}
+
 }  // namespace scree::transport::test

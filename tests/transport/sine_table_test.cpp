@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace scree::transport {
 namespace {
 
@@ -39,6 +41,24 @@ Errors sine(const Row& row, Index n) {
   return {test::l1(u, exact, lattice.spacing[0]), test::linf(u, exact)};
 }
 
+class Statistics {
+ public:
+  void add(double value) {
+    ++count_;
+    sum_ += value;
+    sum_of_squares_ += value * value;
+  }
+  [[nodiscard]] double mean() const { return sum_ / count_; }
+  [[nodiscard]] double deviation() const {
+    return std::sqrt((sum_of_squares_ - sum_ * mean()) / (count_ - 1));
+  }
+
+ private:
+  int count_ = 0;
+  double sum_ = 0;
+  double sum_of_squares_ = 0;
+};
+
 class SineTable : public ::testing::TestWithParam<Row> {};
 TEST_P(SineTable, IsReproduced) {
   const Row& row = GetParam();
@@ -46,15 +66,58 @@ TEST_P(SineTable, IsReproduced) {
   EXPECT_NEAR(errors.l1, row.number("l1"), 0.03 * row.number("l1"));
   EXPECT_NEAR(errors.linf, row.number("linf"), 0.03 * row.number("linf"));
 }
-/// Without those of forward Euler on the finest grid: steps that grow from round-off, no two codes agree.
+/// Forward Euler on the finest grid with slopes steeper than the data's: see SineOfForwardEuler.
+bool grows_from_round_off(const Row& row) {
+  return row.text("time") == ForwardEuler::name && row.cells() == 640 &&
+         (row.text("scheme") == "minmod 1.3" || row.text("scheme") == "minmod 2");
+}
 std::vector<Row> reproducible_rows() {
   auto rows = test::table("sine.csv");
-  std::erase_if(rows, [](const Row& row) {
-    return row.text("time") == ForwardEuler::name && row.text("scheme") != "minmod 1" && row.cells() == 640;
-  });
+  std::erase_if(rows, grows_from_round_off);
   return rows;
 }
 INSTANTIATE_TEST_SUITE_P(, SineTable, ::testing::ValuesIn(reproducible_rows()), test::name_of);
+
+/// Staircases on 640 cells grow from round-off. Averages that are differences of cosines are off by up to
+/// 2 round-off/dx = 2.3e-14; starts that differ by 1e-13, more than any two codes', end with errors a tenth
+/// (l1) and half (largest) apart. A table's value then is one draw of many: it must lie within four standard
+/// deviations of the mean of 32, where all but 6e-5 of normal draws do.
+class SineOfForwardEuler : public ::testing::TestWithParam<Row> {};
+TEST_P(SineOfForwardEuler, IsOneDrawOfMany) {
+  const Row& row = GetParam();
+  const Lattice<1> lattice = test::line(row.cells(), 0, 2 * pi);
+  const auto exact = test::averages(lattice, [](double x) { return -std::cos(x); });
+  constexpr int num_draws = 32;
+  Statistics l1;
+  Statistics linf;
+  std::mt19937 generator{1};
+  std::uniform_real_distribution<double> noise{-1e-13, 1e-13};
+  for (int draw = 0; draw < num_draws; ++draw) {
+    auto u = exact;
+    for (double& value : u) value += noise(generator);
+    test::with_limiter(row.text("scheme"), [&](const auto& limiter) {
+      Solver{Cartesian<1>{lattice},
+             Advection<1>{Vector<1>{1.0}},
+             PiecewiseLinear{limiter},
+             ForwardEuler{},
+             {.cfl = 0.4}}
+          .advance(u, 2 * pi);
+    });
+    l1.add(test::l1(u, exact, lattice.spacing[0]));
+    linf.add(test::linf(u, exact));
+  }
+
+  EXPECT_NEAR(l1.mean(), row.number("l1"), 4 * l1.deviation());
+  EXPECT_NEAR(linf.mean(), row.number("linf"), 4 * linf.deviation());
+  EXPECT_GE(linf.deviation(), 0.03 * linf.mean());  // the failure: more than 3 % from round-off
+}
+std::vector<Row> rows_that_grow_from_round_off() {
+  auto rows = test::table("sine.csv");
+  std::erase_if(rows, [](const Row& row) { return !grows_from_round_off(row); });
+  return rows;
+}
+INSTANTIATE_TEST_SUITE_P(, SineOfForwardEuler, ::testing::ValuesIn(rows_that_grow_from_round_off()),
+                         test::name_of);
 
 /// Orders between 320 and 640 cells.
 class SineOrders : public ::testing::TestWithParam<Row> {};

@@ -42,7 +42,8 @@ struct Kpp {
   }
 };
 
-std::vector<double> solve(Index n, Bound bound, const std::string& scheme) {
+/// @param cfl of the fastest axis alone; in the sum of both it is up to twice as much
+std::vector<double> solve(Index n, Bound bound, const std::string& scheme, double cfl = 0.4) {
   const Lattice<2> lattice = test::square(n, -2, -2.5, 4, false);
   std::vector<double> u;
   for (Index site = 0; site < lattice.num_sites(); ++site) {
@@ -60,12 +61,9 @@ std::vector<double> solve(Index n, Bound bound, const std::string& scheme) {
   BoxBoundaries<2, 1> open;
   for (auto& axis : open) axis.fill(Outflow{});
   test::with_reconstruction(scheme, [&](const auto& reconstruction) {
-    Solver solver{Cartesian<2>{lattice},
-                  Kpp{bound},
-                  test::Unchecked{reconstruction},
-                  SspRk2{},
-                  {.cfl = 0.8, .boundaries = open}};  // dt = 0.4 dx: both speeds are 1 at the wave
-    solver.advance(u, 1);
+    SemiDiscrete<Cartesian<2>, Kpp, std::remove_cvref_t<decltype(reconstruction)>, KurganovTadmor> rates{
+        {lattice, Kpp{bound}, reconstruction, {}, open}, 0.5, {}};
+    test::advance_by_fastest_axis(rates, SspRk2{}, u, 1, cfl);
   });
   return u;
 }
@@ -84,33 +82,38 @@ double error(const std::vector<double>& u, Index n) {
   return test::l1(u, reference, 16.0 / static_cast<double>(n * n));
 }
 
+/// All of the table on 100 x 100 cells; on 200 x 200 the right speed, and what the wrong one does.
+std::vector<Row> rows() {
+  auto rows = test::table("kpp.csv");
+  std::erase_if(rows, [](const Row& row) {
+    const bool is_gentle = row.text("scheme") == "minmod 1" || row.text("scheme") == "minmod 2";
+    return row.cells() == 200 && (row.text("speed") == "one" || (row.text("speed") == "ends" && !is_gentle));
+  });
+  return rows;
+}
+
+/// The errors with the right speed, 0.29 to 3.9 from minmod 1 to superbee, are the failure of compressive
+/// limiters; the lowest values with speeds at the ends, 0.66 and -0.29 instead of pi/4, that of these.
 class KppTable : public ::testing::TestWithParam<Row> {};
 TEST_P(KppTable, IsReproduced) {
   const Row& row = GetParam();
   const std::map<std::string, Bound> bounds{
       {"one", Bound::one}, {"interval", Bound::interval}, {"ends", Bound::ends}};
-  const Bound bound = bounds.at(row.text("speed"));
 
-  const auto u = solve(row.cells(), bound, row.text("scheme"));
+  const auto u = solve(row.cells(), bounds.at(row.text("speed")), row.text("scheme"));
 
-  const double lowest = *std::min_element(u.begin(), u.end());
   EXPECT_NEAR(error(u, row.cells()), row.number("l1"), 0.03 * row.number("l1"));
-  if (bound == Bound::ends) {
-    EXPECT_LE(lowest, pi / 4 - 0.05);  // the failure
-  } else {
-    EXPECT_GE(lowest, pi / 4 - 1e-12);  // some hundred steps of some ten roundings
-  }
+  constexpr double last_digit = 1e-4;
+  EXPECT_NEAR(*std::min_element(u.begin(), u.end()), row.number("lowest"), last_digit);
+  EXPECT_NEAR(*std::max_element(u.begin(), u.end()), row.number("highest"), last_digit);
 }
-INSTANTIATE_TEST_SUITE_P(, KppTable, ::testing::ValuesIn(test::table("kpp.csv")), test::name_of);
+INSTANTIATE_TEST_SUITE_P(, KppTable, ::testing::ValuesIn(rows()), test::name_of);
 
-TEST(Kpp,
-     KeepsAWrongWaveWithCompressiveLimiters) {  // each from minmod 1 to superbee is worse by half and more
-  double gentler = error(solve(200, Bound::interval, "minmod 1"), 200);
-  for (const char* scheme : {"minmod 1.3", "minmod 2", "superbee"}) {
-    const double sharper = error(solve(200, Bound::interval, scheme), 200);
-    EXPECT_GE(sharper, 1.5 * gentler) << scheme;
-    gentler = sharper;
-  }
+/// The table's steps have a CFL number of 0.8, and with theta = 2 its lowest values are below pi/4.
+TEST(Kpp, KeepsItsBoundsAtThePromisedStep) {
+  const auto u = solve(100, Bound::one, "minmod 2", 0.25);
+  constexpr double rounding = 1e-12;  // some hundred steps of some ten roundings
+  EXPECT_GE(*std::min_element(u.begin(), u.end()), pi / 4 - rounding);
 }
 
 }  // namespace

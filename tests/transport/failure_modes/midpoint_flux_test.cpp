@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace scree::transport {
 namespace {
 
@@ -37,14 +39,15 @@ double advection_error(Index n) {
   return test::l1(u, exact, lattice.spacing.prod());
 }
 
+/// At half the time of the shock.
 double burgers_error(Index n) {
   const Lattice<2> lattice = test::square(n, -2, -2, 4);
   auto u = test::burgers_averages(lattice, 0);
-  Solver{Cartesian<2>{lattice}, Burgers{}, Parabola{}, SspRk3{}, {.cfl = 0.8}}.advance(u, 0.5 / pi);
-  return test::l1(u, test::burgers_averages(lattice, 0.5 / pi), lattice.spacing.prod());
+  Solver{Cartesian<2>{lattice}, Burgers{}, Parabola{}, SspRk3{}, {.cfl = 0.8}}.advance(u, 0.25 / pi);
+  return test::l1(u, test::burgers_averages(lattice, 0.25 / pi), lattice.spacing.prod());
 }
 
-double burgers_error_on_a_line(Index n) {  // T = 0.5: before the shock at 1
+double burgers_error_on_a_line(Index n) {  // T = 0.5: half the time of the shock
   const Lattice<1> lattice = test::line(n, 0, 2 * pi);
   const auto potential = [](double time) {
     return [time](double x) {
@@ -61,8 +64,12 @@ double burgers_error_on_a_line(Index n) {  // T = 0.5: before the shock at 1
   return test::l1(u, test::averages(lattice, potential(0.5)), lattice.spacing[0]);
 }
 
+// Table of another code with the same reconstruction, integrator, CFL number and averages: three digits; 3 %,
+// as its rule for the last step may differ. Orders 1.96 and 1.97.
 TEST(MidpointFlux, LeavesSecondOrderWhenTheFluxIsNotLinear) {
-  EXPECT_NEAR(std::log2(burgers_error(160) / burgers_error(320)), 2, 0.1);
+  for (const auto& [n, l1] : {std::pair<Index, double>{80, 6.49e-4}, {160, 1.67e-4}, {320, 4.26e-5}}) {
+    EXPECT_NEAR(burgers_error(n), l1, 0.03 * l1) << n;
+  }
 }
 
 TEST(MidpointFlux, KeepsThirdOrderForLinearFluxesAndOnALine) {  // where it may be used
