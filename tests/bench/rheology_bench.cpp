@@ -4,14 +4,16 @@
 #include "../rheology/points.hpp"
 #include "packs.hpp"
 
+#include <scree/rheology/batch.hpp>
 #include <scree/rheology/laws.hpp>
 
 #include <benchmark/benchmark.h>
 
+#include <array>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <variant>
-#include <vector>
 
 namespace {
 
@@ -20,83 +22,50 @@ using namespace scree::rheology;
 
 /// Sheared, pressed points in 3D, a column per number.
 template <class Law>
-struct Columns {
-  static constexpr std::size_t size = 520;  // not a power of two, whose columns would share cache sets
-  std::vector<double> numbers = std::vector<double>((9 + 1 + 1 + Law::states.size() + 6) * size);
+struct Points {
+  static constexpr std::size_t size = 136;  // in the first cache, and no power of two: columns would collide
+  static constexpr std::size_t num_columns = 9 + 1 + Law::inputs.size() + Law::states.size() + 6;
+  alignas(64) std::array<double, num_columns * size> numbers{};
 
-  [[nodiscard]] double* gradient(std::size_t i) { return numbers.data() + i * size; }
-  [[nodiscard]] double* density() { return gradient(9); }
-  [[nodiscard]] double* input() { return gradient(10); }
-  [[nodiscard]] double* state(std::size_t i) { return gradient(11 + i); }
-  [[nodiscard]] double* stress(std::size_t i) { return state(Law::states.size() + i); }
-
-  explicit Columns(const Law& law) {
+  explicit Points(const Law& law) {
     const auto gradients = velocity_gradients();
     for (std::size_t p = 0; p < size; ++p) {
-      for (std::size_t i = 0; i < 9; ++i) gradient(i)[p] = gradients[p % gradients.size()].components[i];
-      density()[p] = law.density * (1 + 1e-3 * static_cast<double>(p % 7));
-      input()[p] = 1e-3;
+      for (std::size_t i = 0; i < 9; ++i) column(i)[p] = gradients[p % gradients.size()].components[i];
+      column(9)[p] = law.density * (1 + 1e-3 * static_cast<double>(p % 7));
+      for (std::size_t i = 0; i < Law::inputs.size(); ++i) column(10 + i)[p] = 1e-3;
       for (std::size_t i = 0; i < Law::states.size(); ++i) state(i)[p] = Law::states[i].initial;
     }
   }
+
+  [[nodiscard]] std::span<double> column(std::size_t i) { return {numbers.data() + i * size, size}; }
+  [[nodiscard]] std::span<double> state(std::size_t i) { return column(10 + Law::inputs.size() + i); }
+
+  [[nodiscard]] LawColumns<Law> columns() {
+    LawColumns<Law> result;
+    for (std::size_t i = 0; i < 9; ++i) result.velocity_gradient[i] = column(i);
+    result.density = column(9);
+    for (std::size_t i = 0; i < Law::inputs.size(); ++i) result.inputs[i] = column(10 + i);
+    for (std::size_t i = 0; i < Law::states.size(); ++i) result.old_states[i] = result.states[i] = state(i);
+    for (std::size_t i = 0; i < 6; ++i) result.stress[i] = state(Law::states.size() + i);
+    return result;
+  }
 };
-
-template <class Real>
-[[nodiscard]] Real load(const double* from) {
-  if constexpr (std::is_same_v<Real, double>) {
-    return *from;
-  } else {
-    return Real(from, std::experimental::element_aligned);
-  }
-}
-
-template <class Real>
-void store(const Real& value, double* to) {
-  if constexpr (std::is_same_v<Real, double>) {
-    *to = value;
-  } else {
-    value.copy_to(to, std::experimental::element_aligned);
-  }
-}
-
-template <class Real, class Law, std::size_t... S>
-void update_points(const Law& law, Columns<Law>& columns, std::index_sequence<S...> /*states*/) {
-  constexpr std::size_t lanes = sizeof(Real) / sizeof(double);
-  const Real dt = 1e-4;
-  for (std::size_t p = 0; p < Columns<Law>::size; p += lanes) {
-    Deformation<Real> deformation{};
-    for (std::size_t i = 0; i < 9; ++i) {
-      deformation.velocity_gradient.components[i] = load<Real>(columns.gradient(i) + p);
-    }
-    deformation.density = load<Real>(columns.density() + p);
-    const auto input = filled_with<typename Law::template Input<Real>>(load<Real>(columns.input() + p));
-    const typename Law::template State<Real> old{load<Real>(columns.state(S) + p)...};
-    const auto response = law.update(deformation, input, old, dt);
-    const Symmetric<Real> sigma = symmetric(response.stress);
-    const std::array six{sigma.xx, sigma.yy, sigma.zz, sigma.xy, sigma.xz, sigma.yz};
-    for (std::size_t i = 0; i < 6; ++i) store(six[i], columns.stress(i) + p);
-    if constexpr (sizeof...(S) == 6) {
-      const auto& s = response.state;
-      const std::array kept{s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
-      for (std::size_t i = 0; i < 6; ++i) store(kept[i], columns.state(i) + p);
-    }
-  }
-}
 
 template <class Law, class Real>
 void update(benchmark::State& state) {
   const Law law = typical<Law>();
-  Columns<Law> columns{law};
+  Points<Law> points{law};
+  const LawColumns<Law> columns = points.columns();
 
   for (auto _ : state) {
-    update_points<Real>(law, columns, std::make_index_sequence<Law::states.size()>{});
+    benchmark::DoNotOptimize(update_batch<Real>(law, columns, 1e-4));
     benchmark::ClobberMemory();
   }
 
-  const auto points = static_cast<std::int64_t>(Columns<Law>::size);
-  state.SetItemsProcessed(state.iterations() * points);
+  const auto num_points = static_cast<std::int64_t>(Points<Law>::size);
+  state.SetItemsProcessed(state.iterations() * num_points);
   state.counters["ns_per_point"] =
-      benchmark::Counter(1e-9 * static_cast<double>(state.iterations() * points),
+      benchmark::Counter(1e-9 * static_cast<double>(state.iterations() * num_points),
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
@@ -104,6 +73,7 @@ template <class Law>
 void register_law() {
   const std::string name{Law::name};
   benchmark::RegisterBenchmark((name + "/double").c_str(), update<Law, double>);
+  benchmark::RegisterBenchmark((name + "/pack:1").c_str(), update<Law, testing::Pack<1>>);
   benchmark::RegisterBenchmark((name + "/pack:2").c_str(), update<Law, testing::Pack<2>>);
   benchmark::RegisterBenchmark((name + "/pack:4").c_str(), update<Law, testing::Pack<4>>);
   benchmark::RegisterBenchmark((name + "/pack:8").c_str(), update<Law, testing::Pack<8>>);
