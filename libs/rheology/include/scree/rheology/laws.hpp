@@ -2,6 +2,7 @@
 
 #include <scree/rheology/laws/bingham.hpp>
 #include <scree/rheology/laws/drucker_prager.hpp>
+#include <scree/rheology/laws/elastic_herschel_bulkley.hpp>
 #include <scree/rheology/laws/granular_elastoviscoplastic.hpp>
 #include <scree/rheology/laws/herschel_bulkley.hpp>
 #include <scree/rheology/laws/mu_of_i.hpp>
@@ -15,7 +16,7 @@ namespace scree::rheology {
 
 /// Every constitutive law. A new one is a line here: scenes can then name it, and every property test runs
 /// on it.
-using AnyLaw = std::variant<Bingham, DruckerPrager, GranularElastoviscoplastic, HerschelBulkley, MuOfI,
-                            Newtonian, RegularisedMuOfI, SizeDependentNewtonian>;
+using AnyLaw = std::variant<Bingham, DruckerPrager, ElasticHerschelBulkley, GranularElastoviscoplastic,
+                            HerschelBulkley, MuOfI, Newtonian, RegularisedMuOfI, SizeDependentNewtonian>;
 
 }  // namespace scree::rheology

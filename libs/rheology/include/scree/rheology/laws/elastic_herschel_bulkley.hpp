@@ -1,0 +1,121 @@
+#pragma once
+
+#include <scree/rheology/concepts.hpp>
+#include <scree/rheology/kinematics.hpp>
+#include <scree/rheology/newtonian_stress.hpp>
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace scree::rheology {
+
+/// A fluid with a true yield stress: elastic below it, a power of the rate above; Bingham's with n = 1. It
+/// stops where `HerschelBulkley` creeps, and the flow rule is solved at the end of the step, so that no step
+/// is too long for it.
+///
+/// Its memory is the deviatoric stress, turned with the material; the pressure follows the density.
+/// @see Eqs. (R1), (R2), (R5), (R18), (R21) and (R70) to (R73), from Saramito (2007, 2009),
+/// \cite saramito2007, \cite saramito2009
+struct ElasticHerschelBulkley {
+  static constexpr std::string_view name = "elastic_herschel_bulkley";
+  static constexpr std::string_view summary =
+      "fluid with a true yield stress, elastic below it; no viscous limit of the step";
+
+  template <class Real>
+  struct Input {};
+  static constexpr std::array<InputColumn, 0> inputs{};
+  template <class Real>
+  using State = Symmetric<Real>;  ///< deviator of the Cauchy stress [Pa]
+  static constexpr std::array<StateColumn, 6> states{{{"deviatoric_stress_xx", "Pa"},
+                                                      {"deviatoric_stress_yy", "Pa"},
+                                                      {"deviatoric_stress_zz", "Pa"},
+                                                      {"deviatoric_stress_xy", "Pa"},
+                                                      {"deviatoric_stress_xz", "Pa"},
+                                                      {"deviatoric_stress_yz", "Pa"}}};
+
+  double consistency;    ///< K [Pa s^n]
+  double exponent;       ///< n [-]; 1 is Bingham's fluid, in closed form
+  double yield_stress;   ///< tau_y [Pa]
+  double shear_modulus;  ///< G [Pa], far above the shear stress
+  double bulk_modulus;   ///< of compression [Pa]
+  double density;        ///< rho_0, at which the pressure is zero [kg/m^3]
+
+  using Self = ElasticHerschelBulkley;
+  static constexpr std::array<LawParameter<ElasticHerschelBulkley>, 6> parameters{{
+      {"consistency", "Pa s^n", "shear stress beyond yield at a rate of 1/s", &Self::consistency,
+       Bound::positive, 100},
+      {"exponent", "-", "power of the shear rate; 1 is Bingham's fluid", &Self::exponent, Bound::positive,
+       0.4},
+      {"yield_stress", "Pa", "shear stress at which flow begins", &Self::yield_stress, Bound::non_negative,
+       50},
+      {"shear_modulus", "Pa", "elastic shear modulus, far above the shear stress", &Self::shear_modulus,
+       Bound::positive, 1e6},
+      {"bulk_modulus", "Pa", "pressure per relative compression", &Self::bulk_modulus, Bound::positive, 1e7},
+      {"density", "kg/m^3", "density without pressure", &Self::density, Bound::positive, 1000},
+  }};
+
+  /// Cauchy stress and its deviator at the end of the step [Pa].
+  template <class Real>
+  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
+                                                   const Input<Real>& /*input*/, const State<Real>& old,
+                                                   Real dt) const noexcept {
+    using std::sqrt;
+    const Tensor<Real>& gradient = deformation.velocity_gradient;
+    const Real p = pressure(deformation.density, density, bulk_modulus);
+    const Real is_connected = select(p < 0.0, Real(0.0), Real(1.0));
+    const Symmetric<Real> half = Real(shear_modulus * dt) * deviatoric_rate(gradient);
+    const Symmetric<Real> trial = turned(old + half, gradient, dt) + half;
+    const Real tau_trial = sqrt(0.5 * squared_norm(trial));
+    const Real excess = tau_trial - yield_stress;
+    const Share<Real> left = share_left(excess, Real(shear_modulus * dt));
+    const Real kept = select(excess <= 0.0, Real(1.0), (yield_stress + excess * left.value) / tau_trial);
+    const Symmetric<Real> s = Real(is_connected * kept) * trial;
+    return {s.tensor() - isotropic<Real>(is_connected * p), s,
+            select(excess <= 0.0, Real(0.0), left.unsolved)};
+  }
+
+  /// Speed of pressure waves [m/s], Eq. (R21). No viscosity bounds a step, for flow only lowers what the
+  /// elastic solid would answer.
+  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
+                                    const Input<double>& /*input*/,
+                                    const State<double>& /*state*/) const noexcept {
+    return {wave_speed(density, bulk_modulus + 4 * shear_modulus / 3), 0};
+  }
+
+ private:
+  template <class Real>
+  struct Share {
+    Real value;
+    Real unsolved;
+  };
+
+  /// Share of the stress beyond yield that is left at the end of the step, and what is left of its equation
+  /// if that is above `tolerance`.  Eqs. (R71), (R72)
+  ///
+  /// Newton's method for the logarithm of the share: the function is convex and between n and 1 steep, so
+  /// that it comes down to the root from the upper bound that it starts at. Six steps reach round-off for n
+  /// from 0.1 to 10, whatever the material and the step.
+  template <class Real>
+  [[nodiscard]] Share<Real> share_left(const Real& excess, const Real& modulus_dt) const noexcept {
+    using std::exp;
+    using std::log;
+    if (exponent == 1) return {consistency / (consistency + modulus_dt), Real(0.0)};
+    constexpr int num_steps = 6;
+    constexpr double tolerance = 1e-10;  // [-], of the stress beyond yield
+    const double m = 1 / exponent;
+    const Real log_b = log(modulus_dt / excess) + m * log(excess / consistency);
+    const Real bound = -exponent * log_b;
+    Real z = select(bound < 0.0, bound, Real(0.0));
+    for (int i = 0; i < num_steps; ++i) {
+      const Real ratio = exp(log_b + (m - 1) * z);  // of the flow's term to the stress's
+      z = z - (z + log(1.0 + ratio)) / (1.0 + (m - 1) * ratio / (1.0 + ratio));
+    }
+    const Real rest = z + log(1.0 + exp(log_b + (m - 1) * z));
+    const Real size = select(rest < 0.0, -rest, rest);
+    return {exp(z), select(size <= tolerance, Real(0.0), size)};
+  }
+};
+static_assert(DescribedLaw<ElasticHerschelBulkley>);
+
+}  // namespace scree::rheology
