@@ -2,6 +2,7 @@
 
 #include <scree/constitutive_law.hpp>
 #include <scree/rheology/parameters.hpp>
+#include <scree/wall_law.hpp>
 
 #include <concepts>
 #include <string_view>
@@ -15,6 +16,13 @@ namespace scree::rheology {
 template <class Law>
 concept DescribedLaw = ConstitutiveLaw<Law> && std::is_aggregate_v<Law> && requires(const Law law) {
   { law.density } -> std::convertible_to<double>;
+  { Law::summary } -> std::convertible_to<std::string_view>;
+  { *Law::parameters.begin() } -> std::convertible_to<LawParameter<Law>>;
+};
+
+/// The friction of a wall as the list of them holds it: the contract of `WallLaw`, described as laws are.
+template <class Law>
+concept DescribedWall = WallLaw<Law> && std::is_aggregate_v<Law> && requires {
   { Law::summary } -> std::convertible_to<std::string_view>;
   { *Law::parameters.begin() } -> std::convertible_to<LawParameter<Law>>;
 };
