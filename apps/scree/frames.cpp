@@ -44,6 +44,9 @@ class FrameColumns {
     if (field == "velocity") return of(particles.velocity, io::ColumnKind::vector);
     if (field == "pressure") return scalar({"pressure", "p", "Pa"}, pressures());
     if (field == "shear_rate") return scalar({"shear_rate", "gdot", "1/s"}, shear_rates());
+    if (field == "stability_number") {
+      return scalar({"stability_number", "C", "-"}, simulation_.stability_numbers());
+    }
     const mpm::Column& column = particles.column(particles.find_column(field, "the output"));
     return of(column, field == fraction_column ? io::ColumnKind::classes : io::ColumnKind::scalar);
   }

@@ -7,9 +7,10 @@
 namespace scree::app {
 
 /// What a frame can hold besides positions; a field that is not asked for is neither computed nor written.
-[[nodiscard]] inline std::vector<std::string_view> known_fields(bool has_grains) {
+[[nodiscard]] inline std::vector<std::string_view> known_fields(bool has_grains, bool tells_stability) {
   std::vector<std::string_view> fields{"id", "mass", "velocity", "density", "pressure", "shear_rate"};
   if (has_grains) fields.insert(fields.end(), {"grain_size", "fraction"});
+  if (tells_stability) fields.emplace_back("stability_number");
   return fields;
 }
 

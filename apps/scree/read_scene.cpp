@@ -242,7 +242,12 @@ void read_numerics(const TomlTable& table, Scene& scene) {
       table.number_or(0, "maximum_dt", "the user's own limit of dt [s]; 0 is none", at_least(0));
 }
 
-[[nodiscard]] OutputScene read_output(const TomlTable& table, double end, bool has_grains) {
+[[nodiscard]] bool tells_stability(const rheology::AnyLaw& any_law) {
+  return std::visit([]<class Law>(const Law& /*law*/) { return rheology::HasStabilityNumber<Law>; }, any_law);
+}
+
+[[nodiscard]] OutputScene read_output(const TomlTable& table, double end, bool has_grains,
+                                      bool tells_stability) {
   OutputScene output;
   output.every = table.number_or(end, "every", "simulated time between frames [s]", above(0));
   output.checkpoint_every =
@@ -250,7 +255,7 @@ void read_numerics(const TomlTable& table, Scene& scene) {
   output.fields =
       table.has("fields") ? table.strings("fields", "what each frame holds") : default_fields(has_grains);
   for (const std::string& field : output.fields) {
-    const auto known = known_fields(has_grains);
+    const auto known = known_fields(has_grains, tells_stability);
     table.check(std::find(known.begin(), known.end(), field) != known.end(), {"fields"},
                 fmt::format("'{}' is none of {}", field, fmt::join(known, ", ")));
   }
@@ -275,7 +280,8 @@ void read_numerics(const TomlTable& table, Scene& scene) {
     scene.segregation = read_segregation(root.table("segregation"));
     if (!root.has("grains")) root.add_fault("segregation", "needs the table [grains]");
   }
-  scene.output = read_output(root.table_or_empty("output"), scene.end, root.has("grains"));
+  scene.output =
+      read_output(root.table_or_empty("output"), scene.end, root.has("grains"), tells_stability(scene.law));
   file.finish();
   return {std::move(scene), file.to_text()};
 }

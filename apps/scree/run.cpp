@@ -49,6 +49,9 @@ class RunOnDisk {
       failure_ = error.what();
     }
     progress_.finish(standing());
+    if (const auto share = simulation_.ill_posed_share(); share && !options_.is_quiet) {
+      fmt::print("{:.1f} % of the points are where the law is ill-posed (C > 0)\n", 100 * *share);
+    }
     finish(outcome);
     return outcome;
   }

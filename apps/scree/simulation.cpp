@@ -109,6 +109,24 @@ Simulation<D, V>::Simulation(const Scene& scene, Threads threads)
 }
 
 template <int D, int V>
+std::vector<double> Simulation<D, V>::stability_numbers() const {
+  std::vector<double> numbers(static_cast<std::size_t>(state.particles.size()));
+  stages_.stress->stability_number(state.particles, numbers);
+  return numbers;
+}
+
+template <int D, int V>
+std::optional<double> Simulation<D, V>::ill_posed_share() const {
+  if (!stages_.stress->tells_stability()) return std::nullopt;
+  const std::vector<double> numbers = stability_numbers();
+  Index ill_posed = 0;
+  for (Index p = 0; p < state.particles.size(); ++p) {
+    if (state.particles.mass.component(0)[p] > 0 && numbers[static_cast<std::size_t>(p)] > 0) ++ill_posed;
+  }
+  return static_cast<double>(ill_posed) / static_cast<double>(num_points());
+}
+
+template <int D, int V>
 Index Simulation<D, V>::num_points() const noexcept {
   const auto masses = state.particles.mass.values();
   return static_cast<Index>(std::count_if(masses.begin(), masses.end(), [](double m) { return m > 0; }));

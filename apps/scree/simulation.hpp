@@ -55,6 +55,10 @@ class Simulation {
   [[nodiscard]] const CartesianGrid<D>& grid() const noexcept { return state.nodes.grid(); }
   /// Material points that weigh something.
   [[nodiscard]] Index num_points() const noexcept;
+  /// C of every point [-]: the law is ill-posed there if it is positive.
+  [[nodiscard]] std::vector<double> stability_numbers() const;
+  /// Share of the material points at which the law is ill-posed [-]; nothing if the law cannot tell.
+  [[nodiscard]] std::optional<double> ill_posed_share() const;
 
  private:
   const Scene scene_;

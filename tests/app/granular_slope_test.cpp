@@ -40,6 +40,18 @@ TEST(GranularSlope, MakesBagnoldsProfile) {
             1.5 * std::pow(column.grid().spacing()[0] / 0.1, 1.5) + compression + 1e-4);
 }
 
+/// I = 0.089 is well-posed; in the topmost cell, where neither pressure nor shear rate is resolved, it may be
+/// anything.
+TEST(GranularSlope, IsIllPosedAtMostInTheTopmostCell) {  // Eq. (R15)
+  Simulation<1, 2> column{scene_of("granular_slope_column"), {1}};
+
+  while (!column.is_finished()) column.step();
+
+  const auto share = column.ill_posed_share();
+  ASSERT_TRUE(share.has_value());
+  EXPECT_LE(*share, column.grid().spacing()[0] / 0.1);
+}
+
 /// No viscous limit: all steps are bound by sound or by the flow itself.
 TEST(GranularSlope, HasNoViscousLimit) {
   Simulation<1, 2> column{scene_of("granular_slope_column", {"time.end=0.1"}), {1}};

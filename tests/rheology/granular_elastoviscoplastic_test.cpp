@@ -2,6 +2,7 @@
 #include "points.hpp"
 #include "zigzag.hpp"
 
+#include <scree/rheology/inertial_number.hpp>
 #include <scree/rheology/laws/granular_elastoviscoplastic.hpp>
 #include <scree/rheology/laws/mu_of_i.hpp>
 
@@ -151,6 +152,27 @@ TEST(GranularElastoviscoplastic, HasNoViscousLimitOfTheStep) {  // Eq. (R21)
   // A leapfrog step of 0.9 of its limit keeps the elastic zigzag within 1/sqrt(1 - 0.9^2) of its start, and a
   // fast one, which flows, loses energy.
   for (const double speed : {1e-6, 1.0}) EXPECT_LE(zigzag_after(law, 1000, dt, dx, speed, 1.001), 2.3);
+}
+
+/// C is that of the flow which the stress tells: of mu(I) at tau/p, nothing while the grains rest.
+TEST(GranularElastoviscoplastic, TellsWhereItsFlowIsIllPosed) {  // Eq. (R15)
+  const double p = contact();
+  const auto number_at = [&](double friction) {
+    return law.stability_number({{}, dense}, {1e-3}, {0, 0, 0, friction * p, 0, 0});
+  };
+  for (const double i : {0.01, 0.0193, 0.0194, 0.1, 0.85, 0.86}) {
+    const double friction = law.mu_s + (law.mu_2 - law.mu_s) * i / (law.I_0 + i);
+    const double slope = (law.mu_2 - law.mu_s) * law.I_0 / std::pow(law.I_0 + i, 2);
+    const double expected = stability_number(i, friction, slope);
+
+    // I is a quotient of differences of friction, of which at worst 1/200 (at I = 0.01) is left: rounding of
+    // some 20 operations is multiplied by that.
+    EXPECT_NEAR(number_at(friction), expected, 20 * 200 * round_off);
+    EXPECT_EQ(number_at(friction) > 0, i < 0.01935 || i > 0.8523) << i;
+  }
+  EXPECT_EQ(number_at(0), 0);
+  EXPECT_EQ(number_at(0.99 * law.mu_s), 0);
+  EXPECT_EQ(law.stability_number({{}, 0.9 * law.density}, {1e-3}, {0, 0, 0, p, 0, 0}), 0);
 }
 
 /// A cycle of shear costs work if the grains flow in it, and none if they do not.

@@ -24,7 +24,7 @@ template <class Law>
 template <class Law>
 [[nodiscard]] double stability_at(const Law& law, double inertial_number) {
   const double density = 1.001 * law.density;
-  return law.stability_number({simple_shear(rate_of(law, inertial_number, density)), density}, {1e-3});
+  return law.stability_number({simple_shear(rate_of(law, inertial_number, density)), density}, {1e-3}, {});
 }
 
 /// How much the shortest disturbances of incompressible simple shear are resisted, in the direction in which

@@ -82,7 +82,7 @@ TEST(MuOfI, HasNoStressAndNoNanWithoutContact) {  // Eqs. (R5), (R13)
   for (const double density : {0.0, 1000.0, 1499.999, 1500.0}) {
     EXPECT_EQ(largest(stress(law, simple_shear(10), density)), 0) << density;
     EXPECT_EQ(largest(stress(law, {}, density)), 0) << density;
-    EXPECT_EQ(law.stability_number({simple_shear(10), density}, {1e-3}), 0) << density;
+    EXPECT_EQ(law.stability_number({simple_shear(10), density}, {1e-3}, {}), 0) << density;
   }
   const double barely = 1500 * (1 + 4 * round_off);
   const auto sigma = stress(law, simple_shear(10), barely);

@@ -45,6 +45,15 @@ class StressUpdate {
   /// @param pressure one per point [Pa]
   virtual void pressure(const Particles<D, V>& particles, std::span<double> pressure) const noexcept = 0;
 
+  /// Whether the law can tell where its equations are ill-posed.
+  [[nodiscard]] virtual bool tells_stability() const noexcept = 0;
+
+  /// The law's stability number C of every point, for output; ill-posed where it is positive. Zero for a law
+  /// that cannot tell. Changes nothing.
+  /// @param number one per point [-]
+  virtual void stability_number(const Particles<D, V>& particles,
+                                std::span<double> number) const noexcept = 0;
+
   /// Density at which a point at rest has the given pressure, for initial states [kg/m^3].
   /// @param wanted pressure [Pa], not negative
   /// @throws RunError naming the law if it has no such density.
@@ -115,6 +124,20 @@ class StressUpdateBy final : public StressUpdate<D, V> {
     }
   }
 
+  [[nodiscard]] bool tells_stability() const noexcept override { return tells; }
+
+  void stability_number(const Particles<D, V>& particles, std::span<double> number) const noexcept override {
+    for (Index p = 0; p < particles.size(); ++p) {
+      if constexpr (tells) {
+        number[static_cast<std::size_t>(p)] =
+            law_.stability_number(deformation_of(particles, p), load<Input>(particles, inputs_, p),
+                                  load<State>(particles, states_, p));
+      } else {
+        number[static_cast<std::size_t>(p)] = 0;
+      }
+    }
+  }
+
   /// By the secant rule; a linear equation of state takes one step.
   [[nodiscard]] double density_at(const Particles<D, V>& particles, Index p, double wanted) const override {
     constexpr int max_iterations = 50;
@@ -152,6 +175,10 @@ class StressUpdateBy final : public StressUpdate<D, V> {
  private:
   using Input = typename Law::template Input<double>;
   using State = typename Law::template State<double>;
+  static constexpr bool tells = requires(const Law& law, const Deformation<double>& deformation,
+                                         const Input& input, const State& state) {
+    law.stability_number(deformation, input, state);
+  };
   static constexpr std::size_t num_inputs = Law::inputs.size();
   static constexpr std::size_t num_states = Law::states.size();
 

@@ -42,8 +42,9 @@ inline constexpr bool disconnects = [] {
 /// A law that can tell where its equations are ill-posed: C > 0.  Eq. (R15)
 template <class Law>
 concept HasStabilityNumber = requires(const Law law, const Deformation<double>& deformation,
-                                      const typename Law::template Input<double>& input) {
-  { law.stability_number(deformation, input) }
+                                      const typename Law::template Input<double>& input,
+                                      const typename Law::template State<double>& state) {
+  { law.stability_number(deformation, input, state) }
   noexcept->std::same_as<double>;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/rheology/concepts.hpp>
+#include <scree/rheology/inertial_number.hpp>
 #include <scree/rheology/kinematics.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
@@ -86,6 +87,20 @@ struct GranularElastoviscoplastic {
     return {wave_speed(density, bulk_modulus + 4 * shear_modulus / 3), 0};
   }
 
+  /// C of Eq. (R15) [-] at the inertial number of the flow, which the stress tells; zero where the grains
+  /// rest or do not touch.
+  [[nodiscard]] double stability_number(const Deformation<double>& deformation,
+                                        const Input<double>& /*input*/,
+                                        const State<double>& state) const noexcept {
+    const double p = pressure(deformation.density, density, bulk_modulus);
+    const double tau = std::sqrt(0.5 * squared_norm(state));
+    if (!(p > 0) || tau <= mu_s * p || tau >= mu_2 * p) return 0;
+    const double friction = tau / p;
+    const double i = I_0 * (friction - mu_s) / (mu_2 - friction);
+    const double slope = (mu_2 - mu_s) * I_0 / ((I_0 + i) * (I_0 + i));
+    return rheology::stability_number(i, friction, slope);
+  }
+
  private:
   /// tau/tau_trial [-] of the flow rule at the end of the step, 1 below yield.  Eqs. (R19), (R20)
   template <class Real>
@@ -103,6 +118,6 @@ struct GranularElastoviscoplastic {
     return select(tau_trial <= S_0, Real(1.0), flowing);
   }
 };
-static_assert(DescribedLaw<GranularElastoviscoplastic>);
+static_assert(DescribedLaw<GranularElastoviscoplastic> && HasStabilityNumber<GranularElastoviscoplastic>);
 
 }  // namespace scree::rheology

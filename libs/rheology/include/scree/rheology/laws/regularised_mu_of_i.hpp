@@ -93,8 +93,8 @@ struct RegularisedMuOfI {
   }
 
   /// C of Eq. (R15) [-]; zero where there is no contact, and so no flow law.
-  [[nodiscard]] double stability_number(const Deformation<double>& deformation,
-                                        const Input<double>& input) const noexcept {
+  [[nodiscard]] double stability_number(const Deformation<double>& deformation, const Input<double>& input,
+                                        const State<double>& /*state*/) const noexcept {
     const double p = pressure(deformation.density, density, bulk_modulus);
     if (p <= 0) return 0;
     const double gdot = floored_shear_rate(deformation.velocity_gradient, shear_rate_floor);

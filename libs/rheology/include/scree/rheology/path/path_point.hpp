@@ -112,7 +112,7 @@ class PathPointOf final : public PathPoint {
 
   [[nodiscard]] double stability_number(const Deformation<double>& deformation) const noexcept override {
     if constexpr (HasStabilityNumber<Law>) {
-      return law_.stability_number(deformation, input_);
+      return law_.stability_number(deformation, input_, state_);
     } else {
       return std::numeric_limits<double>::quiet_NaN();
     }
