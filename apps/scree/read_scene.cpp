@@ -27,7 +27,8 @@ void read_model(const TomlTable& table, auto& chosen) {
   Law law{};
   for (const auto& parameter : Law::parameters) {
     const bool has_upper = std::isfinite(parameter.upper);
-    const io::Bounds bounds{0, parameter.upper, parameter.bound == rheology::Bound::positive, has_upper};
+    const io::Bounds bounds{parameter.lower, parameter.upper, parameter.bound == rheology::Bound::positive,
+                            has_upper};
     law.*parameter.member =
         table.number(parameter.name, fmt::format("{} [{}]", parameter.meaning, parameter.unit), bounds);
   }

@@ -32,10 +32,11 @@ struct Chosen<Property, List<Laws...>> {
   using type = decltype(std::tuple_cat(
       std::conditional_t<Property<Laws>::value, std::tuple<Laws>, std::tuple<>>{}...));
 };
+/// A memory of six numbers or more holds a tensor, which turns with the material; fewer are scalars.
 template <class Law>
-struct HasMemory : std::bool_constant<!Law::states.empty()> {};
+struct HasTensorMemory : std::bool_constant<(Law::states.size() >= 6)> {};
 template <class Law>
-struct HasNoMemory : std::bool_constant<Law::states.empty()> {};
+struct HasNoTensorMemory : std::bool_constant<(Law::states.size() < 6)> {};
 template <class Law>
 struct Disconnects : std::bool_constant<disconnects<Law>> {};
 
@@ -45,14 +46,14 @@ using Disconnecting = Chosen<Disconnects, AnyLaw>::type;
 TYPED_TEST_SUITE(EveryLawThatDisconnects, testing::Each<Disconnecting>, testing::EntryName);
 
 template <class Law>
-class EveryLawWithMemory : public EveryLaw<Law> {};
-using WithMemory = Chosen<HasMemory, AnyLaw>::type;
-TYPED_TEST_SUITE(EveryLawWithMemory, testing::Each<WithMemory>, testing::EntryName);
+class EveryLawWithTensorMemory : public EveryLaw<Law> {};
+using WithTensorMemory = Chosen<HasTensorMemory, AnyLaw>::type;
+TYPED_TEST_SUITE(EveryLawWithTensorMemory, testing::Each<WithTensorMemory>, testing::EntryName);
 
 template <class Law>
-class EveryLawWithoutMemory : public EveryLaw<Law> {};
-using WithoutMemory = Chosen<HasNoMemory, AnyLaw>::type;
-TYPED_TEST_SUITE(EveryLawWithoutMemory, testing::Each<WithoutMemory>, testing::EntryName);
+class EveryLawWithoutTensorMemory : public EveryLaw<Law> {};
+using WithoutTensorMemory = Chosen<HasNoTensorMemory, AnyLaw>::type;
+TYPED_TEST_SUITE(EveryLawWithoutTensorMemory, testing::Each<WithoutTensorMemory>, testing::EntryName);
 
 TYPED_TEST(EveryLaw, DescribesEachNumberItReadsAndKeeps) {
   using Input = typename TypeParam::template Input<double>;
@@ -94,7 +95,7 @@ TYPED_TEST(EveryLaw, IsObjective) {
   }
 }
 
-TYPED_TEST(EveryLawWithoutMemory, DoesNotFeelASpin) {
+TYPED_TEST(EveryLawWithoutTensorMemory, DoesNotFeelASpin) {
   for (const auto& gradient : velocity_gradients()) {
     auto spinning = gradient;
     spinning(0, 1) += 0.5;
@@ -110,7 +111,7 @@ TYPED_TEST(EveryLawWithoutMemory, DoesNotFeelASpin) {
 }
 
 /// A rigid rotation by one radian in 100 steps turns the stress of a strained point, and does nothing else.
-TYPED_TEST(EveryLawWithMemory, TurnsWithTheMaterial) {  // Eq. (R18)
+TYPED_TEST(EveryLawWithTensorMemory, TurnsWithTheMaterial) {  // Eq. (R18)
   constexpr int num_steps = 100;
   const double density = 1.5 * this->law.density;
   Point<TypeParam> point{this->law};

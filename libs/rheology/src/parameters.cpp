@@ -18,13 +18,14 @@ namespace {
 
 }  // namespace
 
-void require_within(std::string_view law, std::string_view parameter, std::string_view unit, Bound bound,
-                    double upper, double value) {
-  const bool is_within = (bound == Bound::positive ? value > 0 : value >= 0) && value < upper;
+void require_within(std::string_view law, std::string_view parameter, std::string_view unit,
+                    const Range& range, double value) {
+  const bool is_open = range.bound == Bound::positive;
+  const bool is_within = (is_open ? value > range.lower : value >= range.lower) && value < range.upper;
   if (is_within && std::isfinite(value)) return;
   std::ostringstream expected;
-  expected << "must be finite and " << (bound == Bound::positive ? "above 0" : "at least 0");
-  if (std::isfinite(upper)) expected << " and below " << upper;
+  expected << "must be finite and " << (is_open ? "above " : "at least ") << range.lower;
+  if (std::isfinite(range.upper)) expected << " and below " << range.upper;
   refuse(law, parameter, unit, value, expected.str());
 }
 

@@ -5,6 +5,7 @@
 #include <scree/rheology/laws/elastic_herschel_bulkley.hpp>
 #include <scree/rheology/laws/granular_elastoviscoplastic.hpp>
 #include <scree/rheology/laws/herschel_bulkley.hpp>
+#include <scree/rheology/laws/kinetic_theory.hpp>
 #include <scree/rheology/laws/mu_of_i.hpp>
 #include <scree/rheology/laws/newtonian.hpp>
 #include <scree/rheology/laws/regularised_mu_of_i.hpp>
@@ -16,7 +17,8 @@ namespace scree::rheology {
 
 /// Every constitutive law. A new one is a line here: scenes can then name it, and every property test runs
 /// on it.
-using AnyLaw = std::variant<Bingham, DruckerPrager, ElasticHerschelBulkley, GranularElastoviscoplastic,
-                            HerschelBulkley, MuOfI, Newtonian, RegularisedMuOfI, SizeDependentNewtonian>;
+using AnyLaw =
+    std::variant<Bingham, DruckerPrager, ElasticHerschelBulkley, GranularElastoviscoplastic, HerschelBulkley,
+                 KineticTheory, MuOfI, Newtonian, RegularisedMuOfI, SizeDependentNewtonian>;
 
 }  // namespace scree::rheology

@@ -8,7 +8,8 @@
 
 namespace scree::rheology {
 
-/// Where the values that a parameter may take begin. Infinity and NaN are never among them.
+/// Whether the value at which those of a parameter begin (0, if no other is said) is among them. Infinity and
+/// NaN never are.
 enum class Bound { non_negative, positive };
 
 /// One parameter of a law, described for people, readers of scenes and tests.
@@ -22,13 +23,19 @@ struct LawParameter {
   double typical;  ///< an ordinary value, for examples and tests [unit]
   double upper = std::numeric_limits<double>::infinity();  ///< the value lies below this one [unit]
   double Law::*exceeds = nullptr;                          ///< another parameter that is smaller, if any
+  double lower = 0;                                        ///< where its values begin [unit]
 };
 
 namespace detail {
-/// @throws InputError naming law, parameter, value and bound, unless `value` is within the bound and below
-/// `upper`.
-void require_within(std::string_view law, std::string_view parameter, std::string_view unit, Bound bound,
-                    double upper, double value);
+/// Between which values one parameter lies.
+struct Range {
+  Bound bound;
+  double lower;
+  double upper;
+};
+/// @throws InputError naming law, parameter, value and range, unless `value` is finite and within the range.
+void require_within(std::string_view law, std::string_view parameter, std::string_view unit,
+                    const Range& range, double value);
 /// @throws InputError naming law, parameter, value and `broken`, unless that is empty.
 void require_relation(std::string_view law, std::string_view parameter, std::string_view unit, double value,
                       const std::string& broken);
@@ -58,8 +65,8 @@ template <class Law>
 template <class Law>
 void validate(const Law& law) {
   for (const LawParameter<Law>& parameter : Law::parameters) {
-    detail::require_within(Law::name, parameter.name, parameter.unit, parameter.bound, parameter.upper,
-                           law.*parameter.member);
+    detail::require_within(Law::name, parameter.name, parameter.unit,
+                           {parameter.bound, parameter.lower, parameter.upper}, law.*parameter.member);
   }
   for (const LawParameter<Law>& parameter : Law::parameters) {
     detail::require_relation(Law::name, parameter.name, parameter.unit, law.*parameter.member,
