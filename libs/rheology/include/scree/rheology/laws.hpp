@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/rheology/laws/bingham.hpp>
+#include <scree/rheology/laws/breakage.hpp>
 #include <scree/rheology/laws/drucker_prager.hpp>
 #include <scree/rheology/laws/elastic_herschel_bulkley.hpp>
 #include <scree/rheology/laws/granular_elastoviscoplastic.hpp>
@@ -18,7 +19,7 @@ namespace scree::rheology {
 /// Every constitutive law. A new one is a line here: scenes can then name it, and every property test runs
 /// on it.
 using AnyLaw =
-    std::variant<Bingham, DruckerPrager, ElasticHerschelBulkley, GranularElastoviscoplastic, HerschelBulkley,
-                 KineticTheory, MuOfI, Newtonian, RegularisedMuOfI, SizeDependentNewtonian>;
+    std::variant<Bingham, Breakage, DruckerPrager, ElasticHerschelBulkley, GranularElastoviscoplastic,
+                 HerschelBulkley, KineticTheory, MuOfI, Newtonian, RegularisedMuOfI, SizeDependentNewtonian>;
 
 }  // namespace scree::rheology

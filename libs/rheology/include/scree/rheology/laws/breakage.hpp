@@ -1,0 +1,137 @@
+#pragma once
+
+#include <scree/rheology/breakage_return.hpp>
+#include <scree/rheology/concepts.hpp>
+#include <scree/rheology/eigen_symmetric.hpp>
+#include <scree/rheology/kinematics.hpp>
+#include <scree/rheology/newtonian_stress.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+namespace scree::rheology {
+
+/// Brittle grains under high pressure: elastic in logarithmic strain, softer as they break, crushed where
+/// their elastic energy suffices and sheared by friction. The breakage B, from 0 (as found) to 1 (as fine as
+/// they get), says how far the size distribution has moved to its ultimate one.
+///
+/// A step is solved backward in time, so that B neither falls nor exceeds 1 in a step of any length. The
+/// volume of the elastic strain is that of the density less what was compacted for good; pulled apart, grains
+/// bear nothing until they are as dense again as where they let go.
+/// @see Eqs. (R18), (R21) and (R110) to (R119), from Einav (2007), \cite einav2007, \cite einav2007b
+struct Breakage {
+  static constexpr std::string_view name = "breakage";
+  static constexpr std::string_view summary = "grains that are crushed, and become finer";
+  static constexpr bool disconnects = false;  // the density at which they let go grows as they are compacted
+
+  template <class Real>
+  struct Input {};
+  static constexpr std::array<InputColumn, 0> inputs{};
+  template <class Real>
+  struct State {
+    Symmetric<Real> stretch;  ///< b, elastic left Cauchy-Green tensor, of determinant 1 [-]
+    Real compaction;          ///< ln(density/rho_0) at which the pressure vanishes [-]
+    Real breakage;            ///< B [-]
+  };
+  static constexpr std::array<StateColumn, 8> states{{{"elastic_stretch_xx", "-", 1},
+                                                      {"elastic_stretch_yy", "-", 1},
+                                                      {"elastic_stretch_zz", "-", 1},
+                                                      {"elastic_stretch_xy", "-"},
+                                                      {"elastic_stretch_xz", "-"},
+                                                      {"elastic_stretch_yz", "-"},
+                                                      {"compaction", "-"},
+                                                      {"breakage", "-"}}};
+
+  double bulk_modulus;           ///< K of unbroken grains [Pa]
+  double shear_modulus;          ///< G of unbroken grains [Pa]
+  double grading;                ///< theta, share of the elastic energy that breaking all would release [-]
+  double critical_energy;        ///< E_c [Pa]
+  double critical_stress_ratio;  ///< M, q/p of grains that no longer break [-]
+  double coupling_angle;         ///< omega [degrees]: 0 breaks without compacting, 90 would only compact
+  double density;                ///< rho_0, of the bulk without pressure [kg/m^3]
+
+  using Self = Breakage;
+  static constexpr std::array<LawParameter<Breakage>, 7> parameters{{
+      {"bulk_modulus", "Pa", "pressure per logarithmic compression", &Self::bulk_modulus, Bound::positive,
+       2e8},
+      {"shear_modulus", "Pa", "elastic shear modulus", &Self::shear_modulus, Bound::positive, 8e7},
+      {"grading", "-", "distance of the ultimate sizes from those at first", &Self::grading, Bound::positive,
+       0.85, 1},
+      {"critical_energy", "Pa", "energy at which grains break", &Self::critical_energy, Bound::positive, 5e4},
+      {"critical_stress_ratio", "-", "q/p of grains that no longer break", &Self::critical_stress_ratio,
+       Bound::positive, 1.2},
+      {"coupling_angle", "degrees", "how much breaking compacts", &Self::coupling_angle, Bound::positive, 70,
+       90},
+      {"density", "kg/m^3", "density without pressure", &Self::density, Bound::positive, 1600},
+  }};
+
+  /// Pressure at which unbroken grains break if compressed alike from all sides, p_cr [Pa].  Eq. (R112)
+  [[nodiscard]] double crushing_pressure() const noexcept {
+    return std::sqrt(2 * bulk_modulus * critical_energy / grading);
+  }
+
+  /// Cauchy stress [Pa], elastic strain, compaction and breakage at the end of the step.
+  template <class Real>
+  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
+                                                   const Input<Real>& /*input*/, const State<Real>& old,
+                                                   Real dt) const noexcept {
+    using std::exp;
+    using std::log;
+    using std::sqrt;
+    const double strain_unit = crushing_pressure() / bulk_modulus;
+    const double shape_unit = strain_unit * std::sqrt(bulk_modulus / (3 * shear_modulus));
+    const Real compression = deformation.density * (1 / density);  // 1/J
+    const Real total = log(compression);
+    const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
+    const EigenSystem<Real> system = eigen_symmetric(carried_by(f, old.stretch.tensor()));
+    std::array<Real, 3> strain{};  // Hencky, its deviator
+    for (std::size_t i = 0; i < 3; ++i) strain[i] = 0.5 * log(system.values[i]);
+    const Real mean = (strain[0] + strain[1] + strain[2]) * (1.0 / 3.0);
+    for (Real& e : strain) e = e - mean;
+    const Real size =
+        sqrt((2.0 / 3) * (strain[0] * strain[0] + strain[1] * strain[1] + strain[2] * strain[2]));
+    const BreakageState<Real> trial{(total - old.compaction) * (1 / strain_unit), size * (1 / shape_unit),
+                                    old.breakage};
+    const BreakageState<Real> end = returned(trial);
+    const Real is_connected = select(trial.volume <= 0.0, Real(0.0), Real(1.0));
+    const Real kept = is_connected * select(trial.shape == 0.0, Real(1.0), end.shape / trial.shape);
+    const Real softened = is_connected * compression * (1.0 - grading * end.breakage);
+    std::array<Real, 3> stress{};
+    std::array<Real, 3> stretch{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Real elastic = kept * strain[i];
+      stress[i] = softened * (2 * shear_modulus * elastic - (bulk_modulus * strain_unit) * end.volume);
+      stretch[i] = exp(2.0 * elastic);
+    }
+    const Real compaction = old.compaction + (trial.volume - end.volume) * strain_unit;
+    return {composed(stress, system.vectors),
+            {symmetric(composed(stretch, system.vectors)), compaction, end.breakage},
+            end.unsolved};
+  }
+
+  /// Speed of pressure waves [m/s] of the elastic material, as broken as it is, and no viscosity.  Eq. (R21)
+  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
+                                    const Input<double>& /*input*/,
+                                    const State<double>& state) const noexcept {
+    const double softened = 1 - grading * state.breakage;
+    return {wave_speed(density, softened * (bulk_modulus + 4 * shear_modulus / 3)), 0};
+  }
+
+ private:
+  /// The trial itself where it is elastic or pulled apart, else its return to the yield surface.
+  template <class Real>
+  [[nodiscard]] BreakageState<Real> returned(const BreakageState<Real>& trial) const noexcept {
+    const double cosine = std::cos(coupling_angle * std::numbers::pi / 180);
+    const BreakageReturn flow{grading, cosine * cosine,
+                              std::sqrt(3 * shear_modulus / bulk_modulus) / critical_stress_ratio};
+    const BreakageState<Real> plastic = flow(trial);
+    const auto flows = Real(0.0) < flow.yield(trial) && Real(0.0) < trial.volume;
+    return {select(flows, plastic.volume, trial.volume), select(flows, plastic.shape, trial.shape),
+            select(flows, plastic.breakage, trial.breakage), select(flows, plastic.unsolved, Real(0.0))};
+  }
+};
+static_assert(DescribedLaw<Breakage>);
+
+}  // namespace scree::rheology
