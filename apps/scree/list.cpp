@@ -1,6 +1,7 @@
 #include "scree/chosen.hpp"
 #include "scree/run.hpp"
 
+#include <scree/rheology/path/paths.hpp>
 #include <scree/transport/fluxes.hpp>
 
 #include <fmt/format.h>
@@ -19,6 +20,14 @@ template <class List>
   return text;
 }
 
+[[nodiscard]] std::string section_of_paths() {
+  std::string text = "paths of a material point (scree path: [[stages]] path)\n";
+  for (const rheology::NamedPath& path : rheology::named_paths) {
+    text += fmt::format("  {:<28} {}\n", path.name, path.summary);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string list_of_parts() {
@@ -29,7 +38,8 @@ std::string list_of_parts() {
          section<transport::AnyIntegrator>("integrators ([segregation] integrator)") +
          section<mpm::AnyShape>("shape functions ([numerics] shape)") +
          section<mpm::AnyTransfer>("transfers ([numerics] transfer)") +
-         section<mpm::AnyWall>("walls ([boundaries] y_low, ..; or an axis is \"periodic\")");
+         section<mpm::AnyWall>("walls ([boundaries] y_low, ..; or an axis is \"periodic\")") +
+         section_of_paths();
 }
 
 }  // namespace scree::app

@@ -1,3 +1,4 @@
+#include "scree/path_file.hpp"
 #include "scree/plot.hpp"
 #include "scree/run.hpp"
 
@@ -23,6 +24,7 @@ struct Arguments {
   std::string restart;
   int threads = 0;
   bool is_quiet = false;
+  bool has_no_picture = false;
   std::string directory;
   double time = 0;
   int cells = 0;
@@ -44,6 +46,18 @@ int run(const Arguments& arguments) {
   return static_cast<int>(outcome);
 }
 
+int lead(const Arguments& arguments) {
+  const auto file = scree::app::read_path_file(arguments.scene, arguments.overrides);
+  const std::filesystem::path directory =
+      arguments.output.empty()
+          ? std::filesystem::path{"out"} / "paths" / std::filesystem::path{arguments.scene}.stem()
+          : std::filesystem::path{arguments.output};
+  scree::app::run_path(file, directory);
+  fmt::print("{}\n", (directory / "path.csv").string());
+  std::fflush(stdout);  // before the script prints
+  return arguments.has_no_picture ? 0 : scree::app::plot("plot_path.py", directory);
+}
+
 void add_scene_options(CLI::App& command, Arguments& arguments) {
   command.add_option("scene", arguments.scene, "scene file (TOML)")->required();
   command.add_option("--set", arguments.overrides, "table.key=value, instead of what the scene says")
@@ -61,6 +75,18 @@ void add_run(CLI::App& program, Arguments& arguments, int& exit_code) {
   command->callback([&] { exit_code = run(arguments); });
 }
 
+void add_path(CLI::App& program, Arguments& arguments, int& exit_code) {
+  CLI::App* command =
+      program.add_subcommand("path", "lead one material point along a path: CSV and a picture");
+  command->add_option("path", arguments.scene, "path file (TOML)")->required();
+  command->add_option("--set", arguments.overrides, "table.key=value, instead of what the file says")
+      ->allow_extra_args(false);
+  command->add_option("--output,-o", arguments.output,
+                      "directory of the results; out/paths/PATH if left out");
+  command->add_flag("--no-picture", arguments.has_no_picture, "write the CSV alone");
+  command->callback([&] { exit_code = lead(arguments); });
+}
+
 void add_check(CLI::App& program, Arguments& arguments) {
   CLI::App* command =
       program.add_subcommand("check", "find all faults of a scene, and what running it would cost");
@@ -73,7 +99,7 @@ void add_check(CLI::App& program, Arguments& arguments) {
 void add_plot(CLI::App& program, Arguments& arguments, int& exit_code) {
   CLI::App* command = program.add_subcommand("plot", "draw the pictures of a run into its directory");
   command->add_option("directory", arguments.directory, "directory of the run")->required();
-  command->callback([&] { exit_code = scree::app::plot_run(arguments.directory); });
+  command->callback([&] { exit_code = scree::app::plot("plot_run.py", arguments.directory); });
 }
 
 void add_profile(CLI::App& program, Arguments& arguments) {
@@ -98,6 +124,7 @@ int parse_and_run(int argc, char** argv) {
   int exit_code = 0;
   add_run(program, arguments, exit_code);
   add_check(program, arguments);
+  add_path(program, arguments, exit_code);
   add_plot(program, arguments, exit_code);
   add_profile(program, arguments);
   program.add_subcommand("list", "everything a scene can name, one line each")->callback([] {

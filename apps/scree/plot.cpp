@@ -12,10 +12,10 @@
 
 namespace scree::app {
 
-int plot_run(const std::filesystem::path& directory) {
+int plot(const std::string& name, const std::filesystem::path& directory) {
   // Debian's own interpreter: the one that its h5py and matplotlib belong to.
   std::string interpreter = "/usr/bin/python3";
-  std::string script = SCREE_PLOT_SCRIPT;
+  std::string script = SCREE_PLOT_SCRIPTS "/" + name;
   std::string argument = directory.string();
   const std::array<char*, 4> arguments{interpreter.data(), script.data(), argument.data(), nullptr};
   pid_t child = 0;

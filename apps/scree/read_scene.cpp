@@ -1,10 +1,10 @@
 #include "scree/axes.hpp"
 #include "scree/chosen.hpp"
 #include "scree/output_fields.hpp"
+#include "scree/read_models.hpp"
 #include "scree/scene.hpp"
 
 #include <scree/io/toml_reader.hpp>
-#include <scree/parameter.hpp>
 
 #include <fmt/format.h>
 
@@ -20,66 +20,6 @@ using io::above;
 using io::at_least;
 using io::between;
 using io::TomlTable;
-
-/// A law from its parameters, each a key of the table.
-template <rheology::DescribedLaw Law>
-void read_model(const TomlTable& table, auto& chosen) {
-  Law law{};
-  for (const auto& parameter : Law::parameters) {
-    const bool has_upper = std::isfinite(parameter.upper);
-    const io::Bounds bounds{parameter.lower, parameter.upper, parameter.bound == rheology::Bound::positive,
-                            has_upper};
-    law.*parameter.member =
-        table.number(parameter.name, fmt::format("{} [{}]", parameter.meaning, parameter.unit), bounds);
-  }
-  for (const auto& parameter : Law::parameters) {
-    const std::string broken = rheology::broken_relation(law, parameter);
-    if (broken.empty()) continue;
-    table.check(false, {parameter.name, rheology::name_of(parameter.exceeds)}, broken);
-  }
-  chosen = law;
-}
-
-/// Any other model, from the parameters of its constructor; what that objects to is put down to the table.
-template <class Model>
-void read_model(const TomlTable& table, auto& chosen) {
-  constexpr auto parameters = parameters_of<Model>();
-  std::array<double, parameters.size()> values{};
-  bool is_sound = true;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const Parameter& parameter = parameters[i];
-    const std::string meaning = fmt::format("{} [{}]", parameter.meaning, parameter.unit);
-    values[i] = std::isnan(parameter.fallback) ? table.number(parameter.name, meaning)
-                                               : table.number_or(parameter.fallback, parameter.name, meaning);
-    is_sound = is_sound && table.is_sound(parameter.name);
-  }
-  if (!is_sound) return;
-  try {
-    chosen = make_model<Model>(values);
-  } catch (const InputError& error) {
-    if constexpr (parameters.size() > 0) table.add_fault(parameters[0].name, error.what());
-  }
-}
-
-/// The entry of a list that `name` names, made from the parameters in the table.
-template <class List>
-void read_named(const TomlTable& table, std::string_view name, List& chosen) {
-  for_each_entry<List>([&](auto entry) {
-    using Model = typename decltype(entry)::type;
-    if (Model::name == name) read_model<Model>(table, chosen);
-  });
-}
-
-/// The entry of a list that `key` names; the first one if the key is absent and there is a fallback.
-template <class List>
-void read_chosen(const TomlTable& table, std::string_view key, std::string_view meaning, List& chosen,
-                 std::string_view fallback = {}) {
-  constexpr auto names = names_of<List>();
-  read_named(
-      table,
-      fallback.empty() ? table.choice(key, meaning, names) : table.choice_or(fallback, key, meaning, names),
-      chosen);
-}
 
 [[nodiscard]] MeshScene read_mesh(const TomlTable& table) {
   MeshScene mesh;

@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -128,6 +129,42 @@ TEST(Program, CheckTellsWhatARunCosts) {
   EXPECT_NE(result.output.find("cells    51\n"), std::string::npos);
   EXPECT_NE(result.output.find("bound by the acoustic limit"), std::string::npos);
   EXPECT_NE(result.output.find("warning: this two-way coupling is ill-posed"), std::string::npos);
+}
+
+TEST(Program, LeadsAPointAlongAPathAndDrawsIt) {
+  const fs::path directory = fresh("path");
+
+  const Result result =
+      scree("path " SCREE_TEST_PATHS "/triaxial_drained.toml --output " + directory.string());
+
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  for (const char* file : {"path.csv", "path.png", "path.svg"}) {
+    EXPECT_TRUE(fs::exists(directory / file)) << file;
+    EXPECT_NE(result.output.find((directory / file).string() + "\n"), std::string::npos) << result.output;
+  }
+}
+
+/// Sand bears no more shear stress than friction times pressure: with sigma_yy held at 196 kPa it bears the
+/// 100 kPa of the first step, not the 200 kPa of the second. What came before is kept.
+TEST(Program, PathWithoutAnAnswerEndsWithCode3AndKeepsWhatItHad) {
+  const fs::path directory = fresh("path_without_answer");
+  const std::string file = directory.string() + ".toml";
+  fs::create_directories(directory);
+  std::ofstream{file} << text_of(SCREE_TEST_PATHS "/triaxial_drained.toml") << R"(
+[[stages]]
+name = "creep"
+duration = 1
+steps = 10
+stress_rates = { xy = 1e6, yy = 0 }
+)";
+
+  const Result result = scree("path " + file + " --no-picture --output " + directory.string());
+
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.output.rfind("scree: the law 'drucker_prager' has no answer in stage 3 'creep' at ", 0),
+            0U)
+      << result.output;
+  EXPECT_EQ(std::ranges::count(text_of(directory / "path.csv"), '\n'), 243);  // header, start, 241 steps
 }
 
 /// Explicit sound blows up beyond its limit; here both limits are used whole, where together they are too

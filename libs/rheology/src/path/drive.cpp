@@ -78,12 +78,34 @@ void validate(const PathOptions& options) {
   throw RunError{message.str()};
 }
 
-/// From the rates of the step before and, should that lead nowhere, from rest.
-[[nodiscard]] StepResult solve(const PathPoint& point, const StepRequest& request, const Unknowns& before,
+/// Rates of the normal components that are not imposed with which the volume stays, the same for each.
+[[nodiscard]] Unknowns at_constant_volume(const Controls& controls) {
+  const std::size_t num_rates = detail::num_unknowns(controls);
+  Unknowns rates = Unknowns::Zero(static_cast<Eigen::Index>(num_rates));
+  double imposed = 0;
+  Eigen::Index num_normals = 0;  // which come before the shears, among the unknown rates too
+  for (std::size_t k = 0; k < first_shear; ++k) {
+    if (controls.on[k].of == Control::Of::stress_rate) {
+      ++num_normals;
+    } else {
+      imposed += controls.on[k].rate;
+    }
+  }
+  if (num_normals > 0) rates.head(num_normals).setConstant(-imposed / static_cast<double>(num_normals));
+  return rates;
+}
+
+/// From a first guess and, should that lead nowhere, from constant volume and from rest.
+[[nodiscard]] StepResult solve(const PathPoint& point, const StepRequest& request, const Unknowns& guess,
                                const PathOptions& options) {
-  StepResult result = detail::solve_step(point, request, before, options);
-  if (result.is_met || before.isZero(0)) return result;
-  return detail::solve_step(point, request, Unknowns::Zero(before.size()), options);
+  StepResult result = detail::solve_step(point, request, guess, options);
+  const std::array others{at_constant_volume(request.controls), Unknowns{Unknowns::Zero(guess.size())}};
+  for (const Unknowns& other : others) {
+    if (result.is_met) break;
+    const StepResult again = detail::solve_step(point, request, other, options);
+    if (again.is_met || !result.trial.is_sound) result = again;
+  }
+  return result;
 }
 
 [[nodiscard]] PathRecord record_of(const PathPoint& point, std::size_t stage, const StepResult& step,
@@ -118,7 +140,7 @@ void drive_stage(PathPoint& point, const Stage& stage, std::size_t number, const
                  std::vector<PathRecord>& records, double start_density) {
   const PathState start = point.now;
   const double dt = stage.duration / static_cast<double>(stage.num_steps);
-  Unknowns rates = Unknowns::Zero(static_cast<Eigen::Index>(detail::num_unknowns(stage.controls)));
+  Unknowns rates = at_constant_volume(stage.controls);
   for (Index n = 1; n <= stage.num_steps; ++n) {
     const double share = static_cast<double>(n) / static_cast<double>(stage.num_steps);
     const double time = start.time + share * stage.duration;
@@ -133,14 +155,20 @@ void drive_stage(PathPoint& point, const Stage& stage, std::size_t number, const
 
 }  // namespace
 
-std::vector<PathRecord> drive(PathPoint& point, std::span<const Stage> stages, const PathOptions& options) {
+void drive(PathPoint& point, std::span<const Stage> stages, const PathOptions& options,
+           std::vector<PathRecord>& records) {
   validate(options);
   for (const Stage& stage : stages) validate(stage);
   const double start_density = point.now.density;
-  std::vector<PathRecord> records{record_of(point, 0, {}, start_density)};
+  records.push_back(record_of(point, 0, {}, start_density));
   for (std::size_t i = 0; i < stages.size(); ++i) {
     drive_stage(point, stages[i], i, options, records, start_density);
   }
+}
+
+std::vector<PathRecord> drive(PathPoint& point, std::span<const Stage> stages, const PathOptions& options) {
+  std::vector<PathRecord> records;
+  drive(point, stages, options, records);
   return records;
 }
 

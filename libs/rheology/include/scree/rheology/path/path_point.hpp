@@ -49,7 +49,7 @@ class PathPoint {
   /// C [-], Eq. (R15); NaN for a law that has none.
   [[nodiscard]] virtual double stability_number(const Deformation<double>& deformation) const noexcept = 0;
 
-  PathState now;
+  PathState now;  ///< what a path begins with, and what it has come to
 
  protected:
   PathPoint(const PathPoint&) = default;
