@@ -12,19 +12,11 @@
 
 namespace scree::transport::detail {
 
-std::span<double> values(N_Vector vector) noexcept {
-  return {N_VGetArrayPointer(vector), static_cast<std::size_t>(N_VGetLength(vector))};
-}
-
 void ArkodeCallbacks::start() noexcept {
-  thrown_ = nullptr;
+  guard_.start();
   said_.clear();
   explicit_evaluations_ = implicit_evaluations_ = 0;
   shortest_ = std::numeric_limits<double>::infinity();
-}
-
-void ArkodeCallbacks::rethrow() {
-  if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
 }
 
 double ArkodeCallbacks::stable_step(double time, N_Vector u, N_Vector rate) {
@@ -76,13 +68,7 @@ void ArkodeCallbacks::difference(double time, N_Vector u, N_Vector rate, N_Vecto
 template <class Body>
 int ArkodeCallbacks::guard(void* self, Body&& body) noexcept {
   auto& callbacks = *static_cast<ArkodeCallbacks*>(self);
-  try {
-    body(callbacks);
-    return 0;
-  } catch (...) {
-    callbacks.thrown_ = std::current_exception();
-    return -1;  // ARKODE's sign for: do not try again
-  }
+  return callbacks.guard_.run([&] { body(callbacks); });
 }
 
 int ArkodeCallbacks::explicit_rate(double time, N_Vector u, N_Vector rate, void* self) noexcept {

@@ -2,16 +2,12 @@
 
 #include <scree/transport_stiff/imex_problem.hpp>
 
-#include <sundials/sundials_nvector.h>
+#include <sundials_handles.hpp>
 
-#include <exception>
 #include <string>
 #include <utility>
 
 namespace scree::transport::detail {
-
-/// The values of a serial vector.
-[[nodiscard]] std::span<double> values(N_Vector vector) noexcept;
 
 /// A problem as ARKODE calls it, and what happened in these calls. Nothing is thrown through C: an exception
 /// is kept, the call fails, and `rethrow` throws it on the other side.
@@ -28,7 +24,7 @@ class ArkodeCallbacks {
   /// Forgets what happened.
   void start() noexcept;
   /// Throws what a call has thrown, if one has.
-  void rethrow();
+  void rethrow() { guard_.rethrow(); }
 
   /// Longest stable step [s] at (time, u); writes E there.
   [[nodiscard]] double stable_step(double time, N_Vector u, N_Vector rate);
@@ -57,7 +53,7 @@ class ArkodeCallbacks {
 
   ImexProblem problem_;
   double typical_;
-  std::exception_ptr thrown_;
+  sundials::Guard guard_;
   std::string said_;
   long explicit_evaluations_ = 0;
   long implicit_evaluations_ = 0;

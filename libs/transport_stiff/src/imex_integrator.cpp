@@ -24,7 +24,7 @@ class ImexIntegrator::Solver {
   Solver(Index num_values, ImexProblem problem, const ImexOptions& options)
       : options_{options},
         calls_{std::move(problem), options.absolute_tolerance / options.relative_tolerance},
-        context_{detail::make_context()},
+        context_{sundials::make_context("ImexIntegrator")},
         now_{make_vector(num_values)},
         before_{make_vector(num_values)},
         rate_{make_vector(num_values)} {
