@@ -4,6 +4,7 @@
 #include <scree/rheology/path/paths.hpp>
 
 #include <array>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,24 @@ namespace scree::rheology {
 inline std::vector<PathRecord> drive(PathPoint& point, const Controls& controls, double duration,
                                      Index num_steps) {
   return drive(point, std::array{Stage{"the test", duration, num_steps, controls}});
+}
+
+/// A motion imposed component by component.
+[[nodiscard]] inline Controls by_strain(const Tensor<double>& velocity_gradient) {
+  Controls controls;
+  for (std::size_t k = 0; k < symmetric_components.size(); ++k) {
+    const std::size_t i = symmetric_components[k].row;
+    const std::size_t j = symmetric_components[k].column;
+    controls.on[k] = strain_rate((velocity_gradient(i, j) + velocity_gradient(j, i)) / 2);
+    if (k < first_shear) continue;
+    controls.spin[k - first_shear] = (velocity_gradient(i, j) - velocity_gradient(j, i)) / 2;
+  }
+  return controls;
+}
+
+/// How a test names a path.
+inline void PrintTo(const NamedPath& path, std::ostream* stream) {
+  *stream << path.name;
 }
 
 /// What a call throws, or "no error".

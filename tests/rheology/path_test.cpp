@@ -34,18 +34,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   return controls;
 }
 
-[[nodiscard]] Controls by_strain(const Tensor<double>& velocity_gradient) {
-  Controls controls;
-  for (std::size_t k = 0; k < symmetric_components.size(); ++k) {
-    const std::size_t i = symmetric_components[k].row;
-    const std::size_t j = symmetric_components[k].column;
-    controls.on[k] = strain_rate((velocity_gradient(i, j) + velocity_gradient(j, i)) / 2);
-    if (k < first_shear) continue;
-    controls.spin[k - first_shear] = (velocity_gradient(i, j) - velocity_gradient(j, i)) / 2;
-  }
-  return controls;
-}
-
 TEST(Path, BeginsAtThePressureItIsGiven) {
   const auto point = pressed_sand();
 
@@ -109,6 +97,22 @@ TEST(Path, IsTheSameAsItsMotionImposed) {
     const double tolerance = static_cast<double>(n) * rounding_of_strain(sand);
     EXPECT_LE(largest(replayed.now.stress - records[n].at.stress), tolerance);
   }
+}
+
+/// The pressure of a fluid that is compressed along y while sigma_xx is held follows the stress by mu/K: in
+/// steps that resolve this time, halving them halves the error. In longer ones it is there at once.
+TEST(Path, IsOfFirstOrderInStepsThatResolveTheFluid) {
+  const double relaxation = fluid.viscosity / fluid.bulk_modulus;  // [s]
+  std::array<double, 3> pressure{};
+  for (std::size_t level = 0; level < pressure.size(); ++level) {
+    PathPointOf<Newtonian> point{fluid, 1.001 * fluid.density};
+    drive(point, triaxial_drained(0.1), 2 * relaxation, 160 << level);
+    pressure[level] = mean_pressure(point.now.stress);
+  }
+
+  const double order = std::log2((pressure[0] - pressure[1]) / (pressure[1] - pressure[2]));
+  EXPECT_GE(order, 0.9);
+  EXPECT_LE(order, 1.1);
 }
 
 TEST(Path, GoesOnFromAStoredRecord) {

@@ -95,15 +95,20 @@ template <class Law>
   return result;
 }
 
+/// The rotation Q by one radian about (1, 2, 2).
+[[nodiscard]] inline Tensor<double> rotation_of_points() {
+  const Eigen::Matrix3d q = Eigen::AngleAxisd{1.0, Eigen::Vector3d{1, 2, 2} / 3}.toRotationMatrix();
+  return {{q(0, 0), q(0, 1), q(0, 2), q(1, 0), q(1, 1), q(1, 2), q(2, 0), q(2, 1), q(2, 2)}};
+}
+
 /// Q A Q^T with the rotation Q by one radian about (1, 2, 2).
 [[nodiscard]] inline Tensor<double> rotated(const Tensor<double>& a) {
-  const Eigen::Matrix3d q = Eigen::AngleAxisd{1.0, Eigen::Vector3d{1, 2, 2} / 3}.toRotationMatrix();
+  const Tensor<double> q = rotation_of_points();
   Tensor<double> result;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      for (int k = 0; k < 9; ++k) {
-        result.components[static_cast<std::size_t>(3 * row + column)] +=
-            q(row, k / 3) * a.components[static_cast<std::size_t>(k)] * q(column, k % 3);
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      for (std::size_t k = 0; k < 9; ++k) {
+        result(row, column) += q(row, k / 3) * a.components[k] * q(column, k % 3);
       }
     }
   }
