@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace scree::transport {
 namespace {
 
@@ -29,7 +31,7 @@ struct ViscousBurgers {
   double max_diffusivity(const State&, const State&) const noexcept { return viscosity; }
 };
 
-/// The wave 1 - tanh((x - t)/(2 nu)) on [-2, 4].
+/// The wave 1 - tanh((x - t)/(2 nu)) on [-2, 3].
 std::vector<double> wave(const Lattice<1>& lattice, double time) {
   return test::averages(lattice, [=](double x) {
     const double s = std::abs(x - time) / (2 * viscosity);  // log cosh without overflow
@@ -40,7 +42,7 @@ std::vector<double> wave(const Lattice<1>& lattice, double time) {
 /// Error at T = 1 with steps of a given length, which no one checks; infinite if it blew up.
 double error(Index n, double longest) {
   using Rates = SemiDiscrete<Cartesian<1>, ViscousBurgers, PiecewiseLinear<Minmod>, KurganovTadmor>;
-  const Lattice<1> lattice = test::line(n, -2, 4, false);
+  const Lattice<1> lattice = test::line(n, -2, 3, false);
   Rates rates{
       {lattice, ViscousBurgers{}, PiecewiseLinear{Minmod{2}}, {}, {{{Prescribed<1>{{2.0}}, Outflow{}}}}},
       0.5,
@@ -70,28 +72,27 @@ double error(Index n, double longest) {
 }
 
 double smaller_limit(Index n) {
-  const double dx = 6.0 / static_cast<double>(n);
+  const double dx = 5.0 / static_cast<double>(n);
   return std::min(0.4 * dx / speed, 0.4 * dx * dx / viscosity);
 }
 
 double common_limit(Index n) {
-  const double dx = 6.0 / static_cast<double>(n);
+  const double dx = 5.0 / static_cast<double>(n);
   return 0.5 / (speed / dx + 2 * viscosity / (dx * dx));
 }
 
-TEST(TwoLimits, AreNotKeptByTheSmallerOfBoth) {  // they meet at dx = 0.025, N = 240
+TEST(TwoLimits, AreNotKeptByTheSmallerOfBoth) {  // they meet at dx = 0.025, N = 200
   EXPECT_LE(error(50, smaller_limit(50)), 0.1);  // convection is far the stricter one: all seems well
   double worst = 0;
   for (const Index n : {100, 200, 300, 400}) worst = std::max(worst, error(n, smaller_limit(n)));
   EXPECT_GE(worst, 1);
 }
 
-TEST(TwoLimits, AreKeptByTheirSum) {  // Eq. (T9), on every grid of the scan
-  double coarser = error(50, common_limit(50));
-  for (const Index n : {100, 200, 400}) {
-    const double finer = error(n, common_limit(n));
-    EXPECT_LE(finer, coarser / 2) << n;
-    coarser = finer;
+// Eq. (T9), on every grid of the scan; a table of another code with the same steps: 3 %.
+TEST(TwoLimits, AreKeptByTheirSum) {
+  for (const auto& [n, l1] :
+       {std::pair<Index, double>{50, 1.831e-2}, {100, 3.825e-3}, {200, 1.187e-3}, {400, 3.324e-4}}) {
+    EXPECT_NEAR(error(n, common_limit(n)), l1, 0.03 * l1) << n;
   }
 }
 
