@@ -281,6 +281,52 @@ TEST(Staggered, KeepsBoundsInTwoDimensionsWhereProven) {
   }
 }
 
+/// How far a pair of steps leaves the bounds of its data in the plane, carried along the diagonal: the worst
+/// that a search among fields of 6 x 6 values in [0, 1] finds.
+double worst_outside(double theta, double cfl) {
+  const Lattice<2> lattice = test::cube<2>(6);
+  StaggeredSolver solver{lattice, Advection<2>{Vector<2>{1, 1}}, Minmod{theta}, {.cfl = cfl}};
+  const double pair = 2 * cfl * lattice.spacing[0];
+  const auto outside = [&](const std::vector<double>& u) {
+    auto after = u;
+    solver.advance(after, pair);
+    const auto [low, high] = std::minmax_element(u.begin(), u.end());
+    const auto [least, most] = std::minmax_element(after.begin(), after.end());
+    return std::max(*low - *least, *most - *high);
+  };
+  std::mt19937 random{1};
+  std::uniform_real_distribution<double> uniform{0, 1};
+  double worst = -1;
+  for (int start = 0; start < 8; ++start) {
+    std::vector<double> u(36);
+    for (double& value : u) value = std::round(uniform(random));
+    double here = outside(u);
+    for (int trial = 0; trial < 2000; ++trial) {  // keeps what is no better for the scheme
+      double& value = u[static_cast<std::size_t>(uniform(random) * 36)];
+      const double before = value;
+      value = uniform(random) < 0.5 ? std::round(uniform(random)) : uniform(random);
+      const double now = outside(u);
+      (now >= here ? here : value) = now >= here ? now : before;
+    }
+    worst = std::max(worst, here);
+  }
+  return worst;
+}
+
+// Eq. (T45) gives 0.108 and 0.076 for theta 1 and 1.3, none for 2. What is proven is nearly sharp: the search
+// fails there, and finds a field at 1.6 times as much. At the default, 9/10 of the 1D number, it is a few per
+// cent.
+TEST(Staggered, LeavesBoundsInThePlaneBeyondWhatIsProven) {
+  using Plane = StaggeredSolver<Advection<2>, Minmod, 2>;
+  for (const double theta : {1.0, 1.3}) {
+    const double proven = Plane::proven_cfl(Minmod{theta});
+    EXPECT_LE(worst_outside(theta, proven), 40 * round_off)
+        << theta;  // some forty operations on values up to 1
+    EXPECT_GE(worst_outside(theta, 1.6 * proven), 1e-3) << theta;
+  }
+  EXPECT_GE(worst_outside(2, 0.05), 1e-3);
+}
+
 TEST(Staggered, KnowsHowFarItIsLinearlyStable) {  // Eq. (T46)
   EXPECT_DOUBLE_EQ((StaggeredSolver<Burgers, Minmod, 1>::largest_cfl()), 0.5);
   EXPECT_DOUBLE_EQ((StaggeredSolver<Burgers, Minmod, 2>::largest_cfl()), std::pow(2, 0.75) / 4);
