@@ -104,6 +104,7 @@ Simulation<D, V>::Simulation(const Scene& scene, Threads threads)
     if (direction.norm() > 0) direction.normalize();
     coupling_.emplace(*scene_.segregation, scene_.grains->classes, grid(), scene_.shape, direction, threads_);
   }
+  if (crushes(scene_.law)) crushing_.emplace(state.particles, *scene_.grains);
   observe_fractions(state.particles, tally.fractions);
   tally.first_class_masses = class_masses(state.particles);
 }
@@ -166,6 +167,7 @@ bool Simulation<D, V>::step() {
   const bool reaches_frame = left <= next.dt;
   if (reaches_frame) next = {left, mpm::Limit::output};
   mpm::step(state, stages_, next.dt, threads_);
+  if (crushing_) crushing_->advance(state.particles);
   clock.time = reaches_frame ? next_frame_time() : clock.time + next.dt;
   ++clock.step;
   if (reaches_frame) ++clock.frame;
@@ -173,6 +175,7 @@ bool Simulation<D, V>::step() {
   ++clock.unsegregated_steps;
   ++tally.steps_by_limit[static_cast<std::size_t>(next.limit)];
   if (coupling_ && (reaches_frame || clock.unsegregated_steps >= scene_.segregation->every)) segregate();
+  if (crushing_ && reaches_frame) observe_fractions(state.particles, tally.fractions);
   return reaches_frame;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scree/coupling.hpp"
+#include "scree/crushing.hpp"
 #include "scree/scene.hpp"
 
 #include <scree/mpm/step.hpp>
@@ -53,6 +54,8 @@ class Simulation {
   [[nodiscard]] const Scene& scene() const noexcept { return scene_; }
   [[nodiscard]] const mpm::Stages<D, V>& stages() const noexcept { return stages_; }
   [[nodiscard]] const CartesianGrid<D>& grid() const noexcept { return state.nodes.grid(); }
+  /// Whether grains become finer, so that volume moves between their classes.
+  [[nodiscard]] bool is_crushing() const noexcept { return crushing_.has_value(); }
   /// Material points that weigh something.
   [[nodiscard]] Index num_points() const noexcept;
   /// C of every point [-]: the law is ill-posed there if it is positive.
@@ -65,6 +68,7 @@ class Simulation {
   Threads threads_;
   mpm::Stages<D, V> stages_;
   std::optional<Coupling<D, V>> coupling_;
+  std::optional<Crushing<D, V>> crushing_;
 
   double first_dt_ = 0;  // the first stable step [s]
 

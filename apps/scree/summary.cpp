@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace scree::app {
 
@@ -14,6 +15,10 @@ double class_mass_drift(const Simulation<D, V>& simulation) {
   const auto& first = simulation.tally.first_class_masses;
   if (first.empty()) return 0;
   const auto now = class_masses(simulation.state.particles);
+  if (simulation.is_crushing()) {
+    const double before = std::accumulate(first.begin(), first.end(), 0.0);
+    return std::abs(std::accumulate(now.begin(), now.end(), 0.0) - before) / before;
+  }
   double drift = 0;
   for (std::size_t k = 0; k < first.size(); ++k) {
     if (first[k] > 0) drift = std::max(drift, std::abs(now[k] - first[k]) / first[k]);

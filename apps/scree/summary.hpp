@@ -12,7 +12,8 @@ template <int D, int V>
 [[nodiscard]] std::string summary_json(const Simulation<D, V>& simulation, double wall_seconds,
                                        std::int64_t steps_here, const std::string& outcome);
 
-/// Largest relative change of the mass of a size class since the run began; 0 without grains.
+/// Largest relative change of the mass of a size class since the run began; of all classes together where
+/// grains are crushed from one to the next; 0 without grains.
 template <int D, int V>
 [[nodiscard]] double class_mass_drift(const Simulation<D, V>& simulation);
 
