@@ -31,9 +31,11 @@ struct Breakage {
   static constexpr std::array<InputColumn, 0> inputs{};
   template <class Real>
   struct State {
-    Symmetric<Real> stretch;  ///< b, elastic left Cauchy-Green tensor, of determinant 1 [-]
-    Real compaction;          ///< ln(density/rho_0) at which the pressure vanishes [-]
-    Real breakage;            ///< B [-]
+    Real xx, yy, zz, xy, xz, yz;  ///< of b, the elastic left Cauchy-Green tensor, of determinant 1 [-]
+    Real compaction;              ///< ln(density/rho_0) at which the pressure vanishes [-]
+    Real breakage;                ///< B [-]
+
+    [[nodiscard]] constexpr Symmetric<Real> stretch() const noexcept { return {xx, yy, zz, xy, xz, yz}; }
   };
   static constexpr std::array<StateColumn, 8> states{{{"elastic_stretch_xx", "-", 1},
                                                       {"elastic_stretch_yy", "-", 1},
@@ -85,7 +87,7 @@ struct Breakage {
     const Real compression = deformation.density * (1 / density);  // 1/J
     const Real total = log(compression);
     const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
-    const EigenSystem<Real> system = eigen_symmetric(carried_by(f, old.stretch.tensor()));
+    const EigenSystem<Real> system = eigen_symmetric(carried_by(f, old.stretch().tensor()));
     std::array<Real, 3> strain{};  // Hencky, its deviator
     for (std::size_t i = 0; i < 3; ++i) strain[i] = 0.5 * log(system.values[i]);
     const Real mean = (strain[0] + strain[1] + strain[2]) * (1.0 / 3.0);
@@ -106,8 +108,9 @@ struct Breakage {
       stretch[i] = exp(2.0 * elastic);
     }
     const Real compaction = old.compaction + (trial.volume - end.volume) * strain_unit;
+    const Symmetric<Real> b = symmetric(composed(stretch, system.vectors));
     return {composed(stress, system.vectors),
-            {symmetric(composed(stretch, system.vectors)), compaction, end.breakage},
+            {b.xx, b.yy, b.zz, b.xy, b.xz, b.yz, compaction, end.breakage},
             end.unsolved};
   }
 
