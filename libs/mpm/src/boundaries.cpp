@@ -11,15 +11,15 @@ class MirrorWall final : public Boundary<D> {
 
   void fold(Nodes<D>& nodes) const noexcept override {
     const NodeRecord layout = nodes.record();
-    for_each_triple(nodes, [&](double* image, double* /*wall*/, double* inside) {
+    for_each_wall_line(nodes, axis_, side_, [&](double* image, double*, double* inside, Index) {
       inside[NodeRecord::mass] += image[NodeRecord::mass];
       for_each_component(layout, [&](int place, double parity) { inside[place] += parity * image[place]; });
     });
   }
 
-  void hold(Nodes<D>& nodes) const noexcept override {
+  void hold(Nodes<D>& nodes, double /*dt*/) const noexcept override {
     const NodeRecord layout = nodes.record();
-    for_each_triple(nodes, [&](double* /*image*/, double* wall, double* /*inside*/) {
+    for_each_wall_line(nodes, axis_, side_, [&](double*, double* wall, double*, Index) {
       for (int i = 0; i < layout.num_velocities; ++i) {
         if (!Rule::holds(i, static_cast<int>(axis_))) continue;
         if (layout.has_increment) wall[layout.increment() + i] -= wall[NodeRecord::momentum + i];
@@ -30,7 +30,7 @@ class MirrorWall final : public Boundary<D> {
 
   void reflect(Nodes<D>& nodes) const noexcept override {
     const NodeRecord layout = nodes.record();
-    for_each_triple(nodes, [&](double* image, double* /*wall*/, double* inside) {
+    for_each_wall_line(nodes, axis_, side_, [&](double* image, double*, double* inside, Index) {
       for_each_component(layout, [&](int place, double parity) { image[place] = parity * inside[place]; });
     });
   }
@@ -43,22 +43,6 @@ class MirrorWall final : public Boundary<D> {
       const double parity = Rule::holds(i, static_cast<int>(axis_)) ? -1 : 1;
       body(NodeRecord::momentum + i, parity);
       if (layout.has_increment) body(layout.increment() + i, parity);
-    }
-  }
-
-  /// Calls body(image, wall, inside) for the three nodes of every line of nodes through the wall.
-  template <class Body>
-  void for_each_triple(Nodes<D>& nodes, Body&& body) const noexcept {
-    const Index last = nodes.count(axis_) - 1;
-    const Index outermost = side_ == Side::low ? 0 : last;
-    const Index inward = (side_ == Side::low ? 1 : -1) * nodes.stride(axis_);
-    const Index num_lines = nodes.num_nodes() / nodes.count(axis_);
-    for (Index line = 0; line < num_lines; ++line) {
-      const Index below = line % nodes.stride(axis_);
-      const Index above = line / nodes.stride(axis_);
-      const Index image =
-          below + above * nodes.stride(axis_) * nodes.count(axis_) + outermost * nodes.stride(axis_);
-      body(nodes[image], nodes[image + inward], nodes[image + 2 * inward]);
     }
   }
 

@@ -50,7 +50,7 @@ void move_nodes(State<D, V>& state, const Stages<D, V>& stages, double dt, Threa
   const Stopwatch watch{state.seconds.nodes};
   for (const auto& boundary : stages.boundaries) boundary->fold(state.nodes);
   advance_momentum(state.nodes, stages.gravity.data(), dt, state.mass_floor, threads);
-  for (const auto& boundary : stages.boundaries) boundary->hold(state.nodes);
+  for (const auto& boundary : stages.boundaries) boundary->hold(state.nodes, dt);
   for (const auto& boundary : stages.boundaries) boundary->reflect(state.nodes);
 }
 

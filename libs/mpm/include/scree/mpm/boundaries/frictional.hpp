@@ -1,0 +1,105 @@
+#pragma once
+
+#include <scree/error.hpp>
+#include <scree/mpm/boundaries/wall_lines.hpp>
+#include <scree/mpm/boundary.hpp>
+#include <scree/wall_law.hpp>
+
+#include <memory>
+
+namespace scree::mpm {
+
+/// Whether material may leave a wall.
+enum class Hold {
+  pushes,           ///< it may: the wall pushes and does not pull
+  pushes_and_pulls  ///< it may not: no velocity through the wall either way
+};
+
+/// A plane wall on an end of the mesh that resists sliding by a friction law. Shape functions that reach past
+/// it are cut off so that they still add up to one and to linear fields: what an image node would get goes to
+/// the wall, twice, less once to the node inside. Material may slide, shear and leave without pulling on it.
+/// @see Eqs. (M26) to (M28), and \ref law_walls for the laws
+template <int D, WallLaw Law>
+class FrictionalWall final : public Boundary<D> {
+ public:
+  using Input = typename Law::template Input<double>;
+
+  FrictionalWall(const Law& law, const Input& input, Hold hold, int axis, Side side)
+      : law_{law}, input_{input}, hold_{hold}, axis_{static_cast<std::size_t>(axis)}, side_{side} {}
+
+  void fold(Nodes<D>& nodes) const noexcept override {
+    const int num_values = nodes.record().size();
+    for_each_wall_line(nodes, axis_, side_,
+                       [&](double* image, double* wall, double* inside, Index /*image*/) {
+                         for (int i = 0; i < num_values; ++i) {
+                           wall[i] += 2 * image[i];
+                           inside[i] -= image[i];
+                         }
+                       });
+  }
+
+  void hold(Nodes<D>& nodes, double dt) const noexcept override {
+    const NodeRecord layout = nodes.record();
+    for_each_wall_line(nodes, axis_, side_, [&](double*, double* wall, double*, Index image) {
+      Vector<3> velocity = Vector<3>::Zero();
+      for (int i = 0; i < layout.num_velocities; ++i) velocity[i] = wall[NodeRecord::momentum + i];
+      const double mobility = dt * area_of(nodes, image) / wall[NodeRecord::mass];
+      const Vector<3> left = left_by_wall(velocity, mobility);
+      for (int i = 0; i < layout.num_velocities; ++i) {
+        if (layout.has_increment) wall[layout.increment() + i] += left[i] - velocity[i];
+        wall[NodeRecord::momentum + i] = left[i];
+      }
+    });
+  }
+
+  void reflect(Nodes<D>& nodes) const noexcept override {
+    const NodeRecord layout = nodes.record();
+    const int end = layout.has_increment ? layout.increment() + layout.num_velocities : layout.increment();
+    for_each_wall_line(nodes, axis_, side_,
+                       [&](double* image, const double* wall, const double* inside, Index) {
+                         for (int i = NodeRecord::momentum; i < end; ++i) image[i] = 2 * wall[i] - inside[i];
+                       });
+  }
+
+ private:
+  [[nodiscard]] Vector<3> left_by_wall(const Vector<3>& velocity, double mobility) const noexcept {
+    const int axis = static_cast<int>(axis_);
+    const Vector<3> normal = (side_ == Side::low ? 1 : -1) * Vector<3>::Unit(axis);
+    Vector<3> left = slide<3>(law_, velocity, normal, mobility, input_);
+    if (hold_ == Hold::pushes_and_pulls) left[axis] = 0;
+    return left;
+  }
+
+  /// The part of the wall that a node stands for [m^(D-1)], given the image beyond it; half of it where
+  /// another wall cuts it.
+  [[nodiscard]] double area_of(const Nodes<D>& nodes, Index image) const noexcept {
+    double area = 1;
+    for (std::size_t other = 0; other < D; ++other) {
+      if (other == axis_) continue;
+      const Index place = image / nodes.stride(other) % nodes.count(other);
+      const bool is_cut =
+          !nodes.grid().is_periodic()[other] &&
+          (place == Nodes<D>::num_images || place == nodes.count(other) - 1 - Nodes<D>::num_images);
+      area *= nodes.grid().spacing()[static_cast<int>(other)] / (is_cut ? 2 : 1);
+    }
+    return area;
+  }
+
+  Law law_;
+  Input input_;
+  Hold hold_;
+  std::size_t axis_;
+  Side side_;
+};
+
+/// A wall with friction, on an end of an axis.
+/// @param input what the law reads, the same all over the wall
+/// @throws InputError if there is no such axis.
+template <int D, WallLaw Law>
+[[nodiscard]] std::unique_ptr<Boundary<D>> make_frictional_wall(
+    const Law& law, const typename Law::template Input<double>& input, Hold hold, int axis, Side side) {
+  require(0 <= axis && axis < D, "make_frictional_wall: no such axis");
+  return std::make_unique<FrictionalWall<D, Law>>(law, input, hold, axis, side);
+}
+
+}  // namespace scree::mpm

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <scree/mpm/nodes.hpp>
+
+namespace scree::mpm {
+
+/// What acts on the nodes between scatter and gather.
+template <int D>
+class Boundary {
+ public:
+  Boundary() = default;
+  Boundary(const Boundary&) = delete;
+  Boundary& operator=(const Boundary&) = delete;
+  virtual ~Boundary() = default;
+
+  /// Before momentum is advanced: brings home what points gave to nodes outside.
+  virtual void fold(Nodes<D>& nodes) const noexcept = 0;
+  /// After it: sets the velocities that the boundary prescribes.  @param dt the step [s]
+  virtual void hold(Nodes<D>& nodes, double dt) const noexcept = 0;
+  /// When all boundaries hold: sets the velocities of nodes outside.
+  virtual void reflect(Nodes<D>& nodes) const noexcept = 0;
+};
+
+}  // namespace scree::mpm
