@@ -6,6 +6,7 @@
 #include <scree/error.hpp>
 #include <scree/rheology/laws/drucker_prager.hpp>
 #include <scree/rheology/laws/granular_elastoviscoplastic.hpp>
+#include <scree/rheology/laws/kinetic_theory.hpp>
 #include <scree/rheology/laws/newtonian.hpp>
 
 #include <gtest/gtest.h>
@@ -195,6 +196,17 @@ TEST(Path, NamesAStressThatIsNotFinite) {
   EXPECT_EQ(message_of<RunError>([&] { drive(point, simple_shear_at_constant_volume(1), 1, 1); }),
             "the law 'granular_elastoviscoplastic' has no answer in stage 1 'the test' at 1 s: its stress is "
             "not finite");
+}
+
+/// A gas of grains that is pressed beyond close packing: phi/phi_c is what its law says it could not solve.
+TEST(Path, NamesWhatTheLawCouldNotSolve) {
+  constexpr KineticTheory gas = typical<KineticTheory>();
+  PathPointOf<KineticTheory> point{gas, 0.63 * gas.grain_density, {1e-3}};
+
+  EXPECT_EQ(
+      message_of<RunError>([&] { drive(point, oedometric(0.1), 1, 1); }),
+      "the law 'kinetic_theory' has no answer in stage 1 'the test' at 1 s: its equations are left with "
+      "a relative error of 1.09375");  // 0.63/0.9/0.64
 }
 
 TEST(BadPath, IsRefusedWithItsNumber) {

@@ -92,7 +92,10 @@ struct Scales {
   const double modulus = point.now.density * stiffness.wave_speed * stiffness.wave_speed;  // [Pa]
   constexpr double operations = 100;  // on strains, numbers of order one, in the stress of a law
   scales.tolerance = relative * scales.stress + operations * round_off * modulus;
-  scales.rate = std::max(scales.rate, scales.stress / (modulus * request.dt + stiffness.viscosity));
+  // A strain of one, in material that is too soft to come to that stress.
+  const double change =
+      std::min(1 / request.dt, scales.stress / (modulus * request.dt + stiffness.viscosity));
+  scales.rate = std::max(scales.rate, change);
   return scales;
 }
 
