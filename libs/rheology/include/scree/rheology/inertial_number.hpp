@@ -27,6 +27,17 @@ template <class Real>
   return sqrt(2.0 * contract(rate, rate) + floor * floor);
 }
 
+/// Shear strength mu(I) p [Pa] of the friction law mu(I), finite down to p = 0, where there is none.
+/// Eqs. (R11), (R13)
+/// @param mu_s, mu_2, I_0 of the law, numbers or those of a mixture [-]
+/// @param grain_rate I sqrt(p) [sqrt(Pa)]  @param root_p sqrt(p) [sqrt(Pa)]
+template <class Number, class Real>
+[[nodiscard]] constexpr Real mu_of_i_strength(const Number& mu_s, const Number& mu_2, const Number& I_0,
+                                              const Real& grain_rate, const Real& root_p) noexcept {
+  const Real friction = mu_s + (mu_2 - mu_s) * grain_rate / (I_0 * root_p + grain_rate);
+  return friction * root_p * root_p;
+}
+
 /// Barker's number C [-]: steady shear of an incompressible mu(I) fluid is ill-posed where C > 0, for then
 /// disturbances grow without bound as they get shorter.  Eq. (R15), from Barker et al. (2015),
 /// \cite barker2015

@@ -7,10 +7,12 @@
 #include <scree/rheology/laws/granular_elastoviscoplastic.hpp>
 #include <scree/rheology/laws/herschel_bulkley.hpp>
 #include <scree/rheology/laws/kinetic_theory.hpp>
+#include <scree/rheology/laws/mixture_mu_of_i.hpp>
 #include <scree/rheology/laws/mu_of_i.hpp>
 #include <scree/rheology/laws/newtonian.hpp>
 #include <scree/rheology/laws/regularised_mu_of_i.hpp>
 #include <scree/rheology/laws/size_dependent_newtonian.hpp>
+#include <scree/rheology/laws/suspension.hpp>
 
 #include <variant>
 
@@ -18,8 +20,8 @@ namespace scree::rheology {
 
 /// Every constitutive law. A new one is a line here: scenes can then name it, and every property test runs
 /// on it.
-using AnyLaw =
-    std::variant<Bingham, Breakage, DruckerPrager, ElasticHerschelBulkley, GranularElastoviscoplastic,
-                 HerschelBulkley, KineticTheory, MuOfI, Newtonian, RegularisedMuOfI, SizeDependentNewtonian>;
+using AnyLaw = std::variant<Bingham, Breakage, DruckerPrager, ElasticHerschelBulkley,
+                            GranularElastoviscoplastic, HerschelBulkley, KineticTheory, MixtureMuOfI, MuOfI,
+                            Newtonian, RegularisedMuOfI, SizeDependentNewtonian, Suspension>;
 
 }  // namespace scree::rheology

@@ -67,8 +67,7 @@ struct MuOfI {
     const Real gdot = floored_shear_rate(velocity_gradient, shear_rate_floor);
     const Real grain_rate = gdot * grain_size * sqrt(grain_density);  // I sqrt(p)
     const Real root_p = sqrt(contact_pressure(p));
-    const Real friction_here = mu_s + (mu_2 - mu_s) * grain_rate / (I_0 * root_p + grain_rate);
-    return friction_here * root_p * root_p / gdot;
+    return mu_of_i_strength(mu_s, mu_2, I_0, grain_rate, root_p) / gdot;
   }
 
   /// Cauchy stress at the end of the step [Pa]; depends on neither a state nor the step.
