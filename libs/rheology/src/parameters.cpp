@@ -34,9 +34,9 @@ void require_relation(std::string_view law, std::string_view parameter, std::str
   if (!broken.empty()) refuse(law, parameter, unit, value, broken);
 }
 
-std::string must_exceed(std::string_view parameter, double value) {
+std::string must_exceed(std::string_view parameter, double value, bool may_equal) {
   std::ostringstream text;
-  text << "must exceed " << parameter << " = " << value;
+  text << (may_equal ? "must be at least " : "must exceed ") << parameter << " = " << value;
   return text.str();
 }
 

@@ -42,6 +42,19 @@ void rotate_axes(Tensor<Real>& a, Tensor<Real>& vectors, std::size_t p, std::siz
   }
 }
 
+/// Exchanges the eigenvalues p and q, and their vectors, unless the first is the larger.
+template <class Real>
+void put_larger_first(EigenSystem<Real>& system, std::size_t p, std::size_t q) noexcept {
+  const auto is_ascending = system.values[p] < system.values[q];
+  const auto exchange = [&](Real& first, Real& second) {
+    const Real larger = select(is_ascending, second, first);
+    second = select(is_ascending, first, second);
+    first = larger;
+  };
+  exchange(system.values[p], system.values[q]);
+  for (std::size_t i = 0; i < 3; ++i) exchange(system.vectors(i, p), system.vectors(i, q));
+}
+
 }  // namespace detail
 
 /// The eigen-system of a symmetric tensor by cyclic Jacobi rotations, \cite golub2013.
@@ -60,6 +73,15 @@ template <class Real>
     detail::rotate_axes(a, vectors, 1, 2);
   }
   return {{a(0, 0), a(1, 1), a(2, 2)}, vectors};
+}
+
+/// The same system with its eigenvalues in descending order.
+template <class Real>
+[[nodiscard]] EigenSystem<Real> descending(EigenSystem<Real> system) noexcept {
+  detail::put_larger_first(system, 0, 1);
+  detail::put_larger_first(system, 1, 2);
+  detail::put_larger_first(system, 0, 1);
+  return system;
 }
 
 /// The symmetric tensor with these eigenvalues and vectors.

@@ -8,6 +8,7 @@
 #include <scree/rheology/laws/herschel_bulkley.hpp>
 #include <scree/rheology/laws/kinetic_theory.hpp>
 #include <scree/rheology/laws/mixture_mu_of_i.hpp>
+#include <scree/rheology/laws/mohr_coulomb.hpp>
 #include <scree/rheology/laws/mu_of_i.hpp>
 #include <scree/rheology/laws/newtonian.hpp>
 #include <scree/rheology/laws/regularised_mu_of_i.hpp>
@@ -20,8 +21,9 @@ namespace scree::rheology {
 
 /// Every constitutive law. A new one is a line here: scenes can then name it, and every property test runs
 /// on it.
-using AnyLaw = std::variant<Bingham, Breakage, DruckerPrager, ElasticHerschelBulkley,
-                            GranularElastoviscoplastic, HerschelBulkley, KineticTheory, MixtureMuOfI, MuOfI,
-                            Newtonian, RegularisedMuOfI, SizeDependentNewtonian, Suspension>;
+using AnyLaw =
+    std::variant<Bingham, Breakage, DruckerPrager, ElasticHerschelBulkley, GranularElastoviscoplastic,
+                 HerschelBulkley, KineticTheory, MixtureMuOfI, MohrCoulomb, MuOfI, Newtonian,
+                 RegularisedMuOfI, SizeDependentNewtonian, Suspension>;
 
 }  // namespace scree::rheology

@@ -24,6 +24,7 @@ struct LawParameter {
   double upper = std::numeric_limits<double>::infinity();  ///< the value lies below this one [unit]
   double Law::*exceeds = nullptr;                          ///< another parameter that is smaller, if any
   double lower = 0;                                        ///< where its values begin [unit]
+  bool may_equal = false;                                  ///< whether the one of `exceeds` may be as large
 };
 
 namespace detail {
@@ -39,8 +40,8 @@ void require_within(std::string_view law, std::string_view parameter, std::strin
 /// @throws InputError naming law, parameter, value and `broken`, unless that is empty.
 void require_relation(std::string_view law, std::string_view parameter, std::string_view unit, double value,
                       const std::string& broken);
-/// "must exceed mu_s = 0.38"
-[[nodiscard]] std::string must_exceed(std::string_view parameter, double value);
+/// "must exceed mu_s = 0.38"; "must be at least mu_s = 0.38" if it may equal it
+[[nodiscard]] std::string must_exceed(std::string_view parameter, double value, bool may_equal);
 }  // namespace detail
 
 /// Name of the parameter that a member holds.
@@ -55,8 +56,11 @@ template <class Law>
 /// What `parameter` must do beside lying within its bound: "must exceed mu_s = 0.38"; empty if it does.
 template <class Law>
 [[nodiscard]] std::string broken_relation(const Law& law, const LawParameter<Law>& parameter) {
-  if (parameter.exceeds == nullptr || law.*parameter.member > law.*parameter.exceeds) return {};
-  return detail::must_exceed(name_of(parameter.exceeds), law.*parameter.exceeds);
+  if (parameter.exceeds == nullptr) return {};
+  const double value = law.*parameter.member;
+  const double other = law.*parameter.exceeds;
+  if (value > other || (parameter.may_equal && value == other)) return {};
+  return detail::must_exceed(name_of(parameter.exceeds), other, parameter.may_equal);
 }
 
 /// Checks every parameter of a law.
