@@ -8,6 +8,7 @@
 #include <scree/rheology/laws/herschel_bulkley.hpp>
 #include <scree/rheology/laws/kinetic_theory.hpp>
 #include <scree/rheology/laws/mixture_mu_of_i.hpp>
+#include <scree/rheology/laws/modified_cam_clay.hpp>
 #include <scree/rheology/laws/mohr_coulomb.hpp>
 #include <scree/rheology/laws/mu_of_i.hpp>
 #include <scree/rheology/laws/newtonian.hpp>
@@ -23,7 +24,7 @@ namespace scree::rheology {
 /// on it.
 using AnyLaw =
     std::variant<Bingham, Breakage, DruckerPrager, ElasticHerschelBulkley, GranularElastoviscoplastic,
-                 HerschelBulkley, KineticTheory, MixtureMuOfI, MohrCoulomb, MuOfI, Newtonian,
+                 HerschelBulkley, KineticTheory, MixtureMuOfI, ModifiedCamClay, MohrCoulomb, MuOfI, Newtonian,
                  RegularisedMuOfI, SizeDependentNewtonian, Suspension>;
 
 }  // namespace scree::rheology

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <scree/rheology/cam_clay_return.hpp>
+#include <scree/rheology/concepts.hpp>
+#include <scree/rheology/eigen_symmetric.hpp>
+#include <scree/rheology/hencky.hpp>
+#include <scree/rheology/kinematics.hpp>
+#include <scree/rheology/newtonian_stress.hpp>
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace scree::rheology {
+
+/// Clay at large strain: elastic in the logarithmic (Hencky) strain with a bulk modulus in proportion to its
+/// pressure, an elliptic yield surface that grows as it is compacted by flow and shrinks as it dilates, until
+/// it flows at constant volume in the critical state, q = M p.
+///
+/// Its memory is the elastic strain at constant volume, as a left Cauchy-Green tensor, and the
+/// preconsolidation pressure, from which the volume of flow follows. The shear modulus is constant: a
+/// constant Poisson's ratio would make one in proportion to pressure, from which cycles of load gain work.
+/// @see Eqs. (R18) and (R62) to (R69), from Roscoe & Burland (1968), \cite roscoe1968, with the logarithmic
+/// compression of Butterfield (1979), \cite butterfield1979
+struct ModifiedCamClay {
+  static constexpr std::string_view name = "modified_cam_clay";
+  static constexpr std::string_view summary = "clay that hardens by compaction and ends in a critical state";
+  static constexpr bool disconnects = false;  ///< it presses, ever less, far below `density`
+
+  template <class Real>
+  struct Input {};
+  static constexpr std::array<InputColumn, 0> inputs{};
+  template <class Real>
+  struct State {
+    Real xx, yy, zz, xy, xz, yz;  ///< b, elastic left Cauchy-Green tensor, of determinant 1 [-]
+    Real preconsolidation;        ///< p_c over `preconsolidation_pressure` [-]
+  };
+  static constexpr std::array<StateColumn, 7> states{{{"elastic_stretch_xx", "-", 1},
+                                                      {"elastic_stretch_yy", "-", 1},
+                                                      {"elastic_stretch_zz", "-", 1},
+                                                      {"elastic_stretch_xy", "-"},
+                                                      {"elastic_stretch_xz", "-"},
+                                                      {"elastic_stretch_yz", "-"},
+                                                      {"preconsolidation", "-", 1}}};
+
+  double critical_ratio;             ///< M, q/p in the critical state [-]
+  double lambda;                     ///< ln(volume) per ln(pressure) in normal compression [-]
+  double kappa;                      ///< the same in unloading [-]
+  double shear_modulus;              ///< G [Pa], of the material at `density`
+  double preconsolidation_pressure;  ///< p_c of the undeformed material [Pa]
+  double reference_pressure;         ///< p_r, its pressure at `density` [Pa]
+  double density;                    ///< rho_0, of the undeformed material at p_r [kg/m^3]
+
+  using Self = ModifiedCamClay;
+  static constexpr std::array<LawParameter<ModifiedCamClay>, 7> parameters{{
+      {"critical_ratio", "-", "q/p in the critical state", &Self::critical_ratio, Bound::positive, 1},
+      {.name = "lambda",
+       .unit = "-",
+       .meaning = "ln(volume) per ln(pressure) in normal compression",
+       .member = &Self::lambda,
+       .bound = Bound::positive,
+       .typical = 0.1,
+       .exceeds = &Self::kappa},
+      {"kappa", "-", "ln(volume) per ln(pressure) in unloading", &Self::kappa, Bound::positive, 0.02},
+      {"shear_modulus", "Pa", "elastic shear modulus", &Self::shear_modulus, Bound::positive, 2e6},
+      {.name = "preconsolidation_pressure",
+       .unit = "Pa",
+       .meaning = "largest pressure borne before",
+       .member = &Self::preconsolidation_pressure,
+       .bound = Bound::positive,
+       .typical = 1e5,
+       .exceeds = &Self::reference_pressure,
+       .may_equal = true},
+      {"reference_pressure", "Pa", "pressure at the density", &Self::reference_pressure, Bound::positive,
+       5e4},
+      {"density", "kg/m^3", "density at the reference pressure", &Self::density, Bound::positive, 1800},
+  }};
+
+  /// Cauchy stress [Pa], elastic strain and preconsolidation at the end of the step.
+  template <class Real>
+  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
+                                                   const Input<Real>& /*input*/, const State<Real>& old,
+                                                   Real dt) const noexcept {
+    using std::exp;
+    using std::expm1;
+    using std::sqrt;
+    const Real compression = deformation.density * (1 / density);  // 1/J
+    const Symmetric<Real> b{old.xx, old.yy, old.zz, old.xy, old.xz, old.yz};
+    const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
+    HenckyStrain<Real> strain = hencky_strain(eigen_symmetric(carried_by(f, b.tensor())));
+    const auto& e = strain.values;
+    const Real G = shear_modulus * compression;
+    const Real q_trial = G * sqrt(6.0 * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]));
+    const Real p_c = preconsolidation_pressure * old.preconsolidation;
+    const Real u_trial = overconsolidation(compression, old.preconsolidation);
+    const Real p_trial = p_c * exp(-u_trial);
+    const auto flowing = cam_clay_return({critical_ratio, lambda, kappa}, u_trial, q_trial, p_c, G);
+
+    const Real ratio = q_trial / (critical_ratio * p_trial);
+    const double apart = largest_overconsolidation();
+    const auto yields = expm1(u_trial) < ratio * ratio && u_trial <= apart;
+    const Real is_connected = select(apart < u_trial, Real(0.0), Real(1.0));
+    const Real p = is_connected * select(yields, flowing.p, p_trial);
+    const Real share = select(q_trial == 0.0, Real(0.0), flowing.q / q_trial);
+    const Real kept = is_connected * select(yields, share, Real(1.0));
+    const Real hardening = exp((kappa / lambda) * (flowing.u - u_trial));
+    const Real preconsolidation = old.preconsolidation * select(yields, hardening, Real(1.0));
+    std::array<Real, 3> stress{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      strain.values[i] = kept * strain.values[i];
+      stress[i] = 2.0 * G * strain.values[i] - p;
+    }
+    const Symmetric<Real> s = left_cauchy_green(strain);
+    return {composed(stress, strain.axes),
+            {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, preconsolidation},
+            select(yields, flowing.unsolved, Real(0.0))};
+  }
+
+  /// Speed of pressure waves [m/s], of the elastic material at its pressure.  Eq. (R62)
+  [[nodiscard]] Stiffness stiffness(const Deformation<double>& deformation, const Input<double>& /*input*/,
+                                    const State<double>& state) const noexcept {
+    const double compression = deformation.density / density;
+    const double u = overconsolidation(compression, state.preconsolidation);
+    const double p_c = preconsolidation_pressure * state.preconsolidation;
+    const double p = p_c * std::exp(-(u < 0 ? kappa / lambda * u : u));  // not beyond normal compression
+    return {wave_speed(deformation.density, p / kappa + 4 * shear_modulus * compression / 3), 0};
+  }
+
+ private:
+  /// ln(p_c/p) if the whole change of volume is elastic.  Eq. (R64)
+  template <class Real>
+  [[nodiscard]] Real overconsolidation(const Real& compression, const Real& preconsolidation) const noexcept {
+    using std::log;
+    return std::log(preconsolidation_pressure / reference_pressure) +
+           (lambda / kappa) * log(preconsolidation) - (1 / kappa) * log(compression);
+  }
+
+  /// Below a billionth of p_c the material is apart, and bears nothing.  Eq. (R67)
+  [[nodiscard]] static double largest_overconsolidation() noexcept {
+    constexpr double least_pressure = 1e-9;  // [-], of p_c
+    return -std::log(least_pressure);
+  }
+};
+static_assert(DescribedLaw<ModifiedCamClay>);
+
+}  // namespace scree::rheology
