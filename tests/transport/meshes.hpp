@@ -68,8 +68,8 @@ template <class Function>
   return largest;
 }
 
-/// One of each kind, perturbed, and a bad one: triangles fifty times as long as high, with their vertices
-/// moved by 0.3 of a cell.
+/// One of each kind, perturbed; a bad one, triangles fifty times as long as high, with their vertices moved
+/// by 0.3 of a cell; and one of so many cells that they are worked on in several patches.
 [[nodiscard]] inline std::vector<std::pair<std::string, Rectangle>> rectangles(bool is_periodic) {
   const std::array<bool, 2> periodic{is_periodic, is_periodic};
   const Rectangle triangles{.count = {12, 12}, .perturbation = 0.2, .is_periodic = periodic};
@@ -80,7 +80,13 @@ template <class Function>
   Rectangle bad = triangles;
   bad.high[1] = 0.02;
   bad.perturbation = 0.3;
-  return {{"triangles", triangles}, {"quadrilaterals", quadrilaterals}, {"mixed", mixed}, {"bad", bad}};
+  Rectangle many = triangles;
+  many.count = {50, 50};
+  return {{"triangles", triangles},
+          {"quadrilaterals", quadrilaterals},
+          {"mixed", mixed},
+          {"bad", bad},
+          {"many", many}};
 }
 
 }  // namespace scree::transport::test

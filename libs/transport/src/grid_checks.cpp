@@ -1,5 +1,5 @@
 #include <scree/error.hpp>
-#include <scree/transport/detail/face_tables.hpp>
+#include <scree/transport/detail/grid_parts.hpp>
 #include <scree/transport/detail/place.hpp>
 
 #include <cmath>

@@ -1,16 +1,17 @@
 #pragma once
 
-#include <scree/transport/detail/face_tables.hpp>
+#include <scree/transport/detail/patch.hpp>
 
 #include <vector>
 
 namespace scree::transport::detail {
 
-/// The cells around each cell and their weights in its gradient, cell by cell.  Eqs. (T31), (T32)
+/// The cells around each cell and their weights in its gradient, cell by cell.  Eqs. (T31) to (T32a)
 template <int D>
 struct Stencils {
-  std::vector<StencilCell<D>> cells;
-  std::vector<Index> first;  ///< of each cell, and one past the last
+  std::vector<StencilCell<D>> cells;  ///< in numbers of the grid
+  std::vector<Index> first;           ///< of each cell, and one past the last
+  std::vector<Matrix<D>> corrections;
 };
 
 /// @param rings of neighbours to take, at least; more where these do not show every direction.
