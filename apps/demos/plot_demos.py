@@ -25,6 +25,7 @@ matplotlib.rcParams["figure.constrained_layout.h_pad"] = 0.12  # [inch], for tit
 
 METRES_TO_CM = 1e2
 LIMITER_COLOURS = {"minmod": "#4477aa", "van Leer": "#ee7733", "superbee": "#228833"}
+SERIES_COLOURS = ("#4477aa", "#ee7733", "#228833")
 FIELD_COLOURS = "magma"
 OUTLIER_COLOUR = "#00d0ff"  # not in any map of colours
 
@@ -161,6 +162,40 @@ def draw_kpp(folder: Path) -> list[Path]:
     return save(figure, folder / "kpp")
 
 
+def draw_loading_path(folder: Path) -> list[Path]:
+    """Shear stress and change of volume over axial compression, a curve for each pressure round the soil."""
+    path = read_table(folder / "loading_path.csv")
+    pressures = [name.removeprefix("q_") for name in path if name.startswith("q_")]
+    compression = 1e2 * path["axial"]
+    figure, (left, right) = plt.subplots(1, 2, figsize=WIDE, layout="constrained")
+    for pressure, colour in zip(pressures, SERIES_COLOURS):
+        stress, volume = 1e-3 * path[f"q_{pressure}"], 1e2 * path[f"volume_{pressure}"]
+        for axes, curve in (left, stress), (right, volume):
+            axes.plot(compression, curve, color=colour)
+        left.text(3, stress[-1] + 0.15, f"{float(pressure) / 1e3:g} kPa", color=colour, ha="right", fontweight="bold")
+    left.set(title="Strength grows with the pressure round it", ylabel="q [kPa]", ylim=(0, 13))
+    right.set(title="Squeezed first, then dilating alike", ylabel="volume [%]")
+    for axes in (left, right):
+        axes.set(xlabel="axial compression [%]", xlim=(0, 3))
+    return save(figure, folder / "loading_path")
+
+
+def draw_creeping_layer(folder: Path) -> list[Path]:
+    """The fluidity over the height, as computed and exact, for three distances to yield."""
+    layer = read_table(folder / "creeping_layer.csv")
+    grains = METRES_TO_MM * layer["y"]  # of 1 mm
+    figure, axes = plt.subplots(figsize=WIDE, layout="constrained")
+    distances = [name.removeprefix("g_") for name in layer if name.startswith("g_")]
+    for distance, colour in zip(distances, SERIES_COLOURS):
+        axes.plot(layer[f"exact_{distance}"], grains, color=colour, linewidth=1.8)
+        axes.plot(layer[f"g_{distance}"][::4], grains[::4], "o", color=colour, markersize=7)
+        label = f"µ = µs - {float(distance):g}"
+        axes.text(layer[f"g_{distance}"][-1], grains[-1] + 0.4, label, color=colour, fontweight="bold")
+    axes.set(title="Creep below yield: nonlocal fluidity (dots) and exact (lines)", xscale="log", xlim=(1e-5, 1.5))
+    axes.set(xlabel="fluidity / fluidity of the base", ylabel="height [grains]", ylim=(0, 21.5))
+    return save(figure, folder / "creeping_layer")
+
+
 def draw_segregation_column(folder: Path) -> list[Path]:
     """The mean size over height and time, and the exact fronts."""
     sizes = read_plane(folder / "segregation_column.csv")
@@ -184,9 +219,11 @@ def draw_segregation_column(folder: Path) -> list[Path]:
 
 PICTURES: dict[str, Callable[[Path], list[Path]]] = {
     "burgers_waves.csv": draw_burgers,
+    "creeping_layer.csv": draw_creeping_layer,
     "dam_break_1.csv": draw_dam_break,
     "euler_riemann.csv": draw_euler_riemann,
     "kpp_right.csv": draw_kpp,
+    "loading_path.csv": draw_loading_path,
     "segregation_column.csv": draw_segregation_column,
     "slotted_disk_minmod.csv": draw_slotted_disk,
 }
