@@ -72,6 +72,33 @@ TEST(ImplicitViscosity, StartsUpThePapersInclineWithFirstOrderInTime) {
   EXPECT_NEAR(fine, amplitude * std::exp(-rate * t) * rate * rate * t * t / 100 / 2, 0.05 * fine);
 }
 
+TEST(ImplicitViscosity, IsOfSecondOrderInTwoSolvesAStep) {  // Eq. (R146)
+  const double gamma = 1 - 1 / std::numbers::sqrt2;
+  constexpr double mu = 1e4;
+  const double t = 0.4 * density / mu;
+  const auto run = [&](int num_steps) {
+    Layer layer{20};
+    ImplicitViscosity<1, 2> solver{layer.grid, {.tolerance = 1e-12}};
+    const double dt = t / num_steps;
+    for (int step = 0; step < num_steps; ++step) {
+      const auto before = layer.velocity;
+      for (int solve = 0; solve < 2; ++solve) {
+        if (solve == 1) {
+          for (std::size_t i = 0; i < before.size(); ++i) {
+            layer.velocity[i] = before[i] + (1 / gamma - 1) * (layer.velocity[i] - before[i]);
+          }
+        }
+        layer.pull(gamma * dt);
+        solver.advance(layer.velocity, {layer.mass, layer.held}, std::vector<double>(20, mu), gamma * dt);
+      }
+    }
+    return layer.surface();
+  };
+  // Each halving takes 3/4 of what is left, were nothing of third order: rate dt = 0.05 of it.
+  const double ratio = (run(20) - run(40)) / (run(40) - run(80));
+  EXPECT_NEAR(std::log2(ratio), 2, 0.1);
+}
+
 TEST(ImplicitViscosity, ConvergesWithSecondOrderInSpace) {
   constexpr double mu = 1e4;
   const double t = 0.4 * density / mu;
