@@ -84,7 +84,8 @@ TEST(CompressiblePacking, LiesBetweenOneSizeAndTheDensestArrangement) {
   const double densest = packing * (1 + 1 / poured);
   const CompressiblePacking rigid{classes, densest / (1 + 1 / infinite), infinite};
   for (int n = 0; n < 625; ++n) {
-    std::vector<double> fractions{0.1 + n % 5, 0.1 + n / 5 % 5, 0.1 + n / 25 % 5, 0.1 + n / 125, 0.1};
+    std::vector<double> fractions{0.1 + n % 5, 0.1 + n / 5 % 5, 0.1 + n / 25 % 5,
+                                  0.1 + static_cast<double>(n / 125), 0.1};
     double sum = 0;
     for (const double phi : fractions) sum += phi;
     for (double& phi : fractions) phi /= sum;
