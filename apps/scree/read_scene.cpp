@@ -169,6 +169,13 @@ template <class Maker>
 void read_numerics(const TomlTable& table, Scene& scene) {
   read_chosen(table, "shape", "shape function of momentum", scene.shape, "linear");
   read_chosen(table, "transfer", "how velocity travels between points and nodes", scene.transfer, "apic");
+  constexpr std::array<std::string_view, 3> schemes{"explicit", "implicit", "auto"};
+  const std::string viscosity =
+      table.choice_or("explicit", "viscosity", "how the viscous part of the stress is advanced", schemes);
+  if (viscosity == "implicit") scene.viscosity = ViscosityScheme::implicit;
+  if (viscosity == "auto") scene.viscosity = ViscosityScheme::automatic;
+  table.check(viscosity == "explicit" || std::holds_alternative<mpm::Linear>(scene.shape),
+              {"viscosity", "shape"}, "viscosity is implicit for shape = \"linear\" only");
   const io::Bounds share{0, 1, true, false};
   mpm::TimeStepOptions& options = scene.time_step;
   options.acoustic =

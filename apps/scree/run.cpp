@@ -34,6 +34,9 @@ class RunOnDisk {
   }
 
   Outcome run() {
+    if (const auto& note = simulation_.viscosity_note(); !note.empty() && !options_.is_quiet) {
+      fmt::print("{}\n", note);
+    }
     const InterruptGuard guard;
     Outcome outcome = Outcome::finished;
     try {

@@ -65,6 +65,13 @@ struct OutputScene {
   std::vector<std::string> fields;
 };
 
+/// How the viscous part of the stress is advanced.
+enum class ViscosityScheme {
+  with_stress,  ///< as part of it: explicit
+  implicit,     ///< solved for on the nodes
+  automatic     ///< implicit where the explicit step would be much shorter
+};
+
 /// A run as plain data, checked.
 struct Scene {
   std::string title;
@@ -76,6 +83,7 @@ struct Scene {
   mpm::AnyShape shape;
   mpm::AnyTransfer transfer;
   mpm::TimeStepOptions time_step;
+  ViscosityScheme viscosity = ViscosityScheme::with_stress;
   double end = 0;  ///< simulated time [s]
   std::optional<grainsize::Distribution> grains;
   std::optional<SegregationScene> segregation;

@@ -2,6 +2,7 @@
 
 #include "scree/axes.hpp"
 #include "scree/dimensions.hpp"
+#include "scree/node_viscosity.hpp"
 
 #include <scree/io/bounds.hpp>
 #include <scree/mpm/geostatic.hpp>
@@ -76,13 +77,15 @@ template <int D, int V>
 
 /// Points, at rest under their own weight, and the parts of the step that reads their columns.
 template <int D, int V>
-[[nodiscard]] mpm::State<D, V> make_state(const Scene& scene, mpm::Stages<D, V>& stages, Threads threads) {
+[[nodiscard]] mpm::State<D, V> make_state(const Scene& scene, mpm::Stages<D, V>& stages, std::string& note,
+                                          Threads threads) {
   const CartesianGrid<D> grid = make_grid<D>(scene);
   auto particles = make_particles<D, V>(scene, grid);
   stages = make_stages(scene, particles);
   const int normal = normal_component(D);
   mpm::set_geostatic(particles, *stages.stress, normal, scene.material.high[static_cast<std::size_t>(normal)],
                      -stages.gravity[static_cast<std::size_t>(normal)]);
+  note = choose_viscosity(scene, grid, particles, stages, threads);
   return mpm::start(std::move(particles), grid, stages, threads);
 }
 
@@ -96,7 +99,7 @@ template <int D, int V>
 
 template <int D, int V>
 Simulation<D, V>::Simulation(const Scene& scene, Threads threads)
-    : scene_{scene}, threads_{threads}, state{make_state<D, V>(scene_, stages_, threads)} {
+    : scene_{scene}, threads_{threads}, state{make_state<D, V>(scene_, stages_, viscosity_note_, threads)} {
   threads_ = useful(threads, state.particles.size());
   if (!scene_.grains) return;
   if (scene_.segregation) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace scree::app {
@@ -56,6 +57,8 @@ class Simulation {
   [[nodiscard]] const CartesianGrid<D>& grid() const noexcept { return state.nodes.grid(); }
   /// Whether grains become finer, so that volume moves between their classes.
   [[nodiscard]] bool is_crushing() const noexcept { return crushing_.has_value(); }
+  /// How viscosity is advanced and why, if the scene left that open.
+  [[nodiscard]] const std::string& viscosity_note() const noexcept { return viscosity_note_; }
   /// Material points that weigh something.
   [[nodiscard]] Index num_points() const noexcept;
   /// C of every point [-]: the law is ill-posed there if it is positive.
@@ -67,6 +70,7 @@ class Simulation {
   const Scene scene_;
   Threads threads_;
   mpm::Stages<D, V> stages_;
+  std::string viscosity_note_;
   std::optional<Coupling<D, V>> coupling_;
   std::optional<Crushing<D, V>> crushing_;
 

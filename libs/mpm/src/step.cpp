@@ -51,6 +51,7 @@ void move_nodes(State<D, V>& state, const Stages<D, V>& stages, double dt, Threa
   for (const auto& boundary : stages.boundaries) boundary->fold(state.nodes);
   advance_momentum(state.nodes, stages.gravity.data(), dt, state.mass_floor, threads);
   for (const auto& boundary : stages.boundaries) boundary->hold(state.nodes, dt);
+  if (stages.node_solve) stages.node_solve->solve(state.particles, state.nodes, dt, state.mass_floor);
   for (const auto& boundary : stages.boundaries) boundary->reflect(state.nodes);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/mpm/boundaries.hpp>
+#include <scree/mpm/node_solve.hpp>
 #include <scree/mpm/stress_update.hpp>
 #include <scree/mpm/time_step.hpp>
 #include <scree/mpm/transfer.hpp>
@@ -18,7 +19,8 @@ struct Stages {
   std::unique_ptr<StressUpdate<D, V>> stress;
   std::unique_ptr<Transfer<D, V>> transfer;
   std::vector<std::unique_ptr<Boundary<D>>> boundaries;
-  std::array<double, V> gravity{};  ///< [m/s^2]
+  std::unique_ptr<NodeSolve<D, V>> node_solve;  ///< what is implicit; none: nothing is
+  std::array<double, V> gravity{};              ///< [m/s^2]
   /// A node lighter than this share of the heaviest point takes no part: its acceleration would be a small
   /// force over next to no mass.  [-], Eq. (M20)
   double mass_floor = 1e-10;

@@ -45,6 +45,11 @@ class StressUpdate {
   /// @param pressure one per point [Pa]
   virtual void pressure(const Particles<D, V>& particles, std::span<double> pressure) const noexcept = 0;
 
+  /// Writes the law's effective viscosity at the points of a block [Pa s]; changes nothing else.
+  /// @param viscosity one per point, all points
+  virtual void viscosity(const Particles<D, V>& particles, const ParticleBlock<D>& block,
+                         std::span<double> viscosity) const noexcept = 0;
+
   /// Whether the law can tell where its equations are ill-posed.
   [[nodiscard]] virtual bool tells_stability() const noexcept = 0;
 
@@ -121,6 +126,16 @@ class StressUpdateBy final : public StressUpdate<D, V> {
       const auto response = law_.update(deformation_of(particles, p), load<Input>(particles, inputs_, p),
                                         load<State>(particles, states_, p), 0.0);
       pressure[static_cast<std::size_t>(p)] = -trace(response.stress) / 3;
+    }
+  }
+
+  void viscosity(const Particles<D, V>& particles, const ParticleBlock<D>& block,
+                 std::span<double> viscosity) const noexcept override {
+    for (Index p = block.begin; p < block.end; ++p) {
+      viscosity[static_cast<std::size_t>(p)] =
+          law_.stiffness(deformation_of(particles, p), load<Input>(particles, inputs_, p),
+                         load<State>(particles, states_, p))
+              .viscosity;
     }
   }
 
