@@ -8,7 +8,7 @@
 // solution.
 #include "output.hpp"
 
-#include <scree/grid.hpp>
+#include <scree/box.hpp>
 #include <scree/transport/laws/burgers.hpp>
 #include <scree/transport/limiters.hpp>
 #include <scree/transport/reconstructions/piecewise_linear.hpp>
@@ -28,8 +28,7 @@ namespace {
 constexpr double period = 2 * std::numbers::pi;
 
 Lattice<1> line(Index num_cells) {
-  const double dx = period / static_cast<double>(num_cells);
-  return CartesianGrid<1>{Vector<1>{0.0}, Vector<1>{dx}, {num_cells}, {true}}.cells();
+  return box<1>({0}, {period}, {num_cells}, {true}).cells();
 }
 
 /// The exact solution as the integral of u over x. In a frame that moves with the mean, 1/2, the wave is odd,
@@ -59,7 +58,7 @@ std::vector<double> exact_means(const Lattice<1>& cells, double t) {
 template <Limiter L>
 std::vector<double> solve(const Lattice<1>& cells, const L& limiter, double t, int& faults) {
   std::vector<double> u = exact_means(cells, 0);
-  Solver solver{Cartesian<1>{cells}, Burgers{}, PiecewiseLinear{limiter}};
+  Solver solver{Cartesian{cells}, Burgers{}, PiecewiseLinear{limiter}};
 
   const Advance done = solver.advance(u, t);  // in as many steps as the CFL number asks for
 

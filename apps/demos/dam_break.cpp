@@ -7,7 +7,7 @@
 // Energy may only be lost, in the bores.
 #include "output.hpp"
 
-#include <scree/grid.hpp>
+#include <scree/box.hpp>
 #include <scree/transport/grids/occupied_cells.hpp>
 #include <scree/transport/laws/shallow_water.hpp>
 #include <scree/transport/reconstructions/piecewise_linear.hpp>
@@ -38,7 +38,7 @@ bool is_wall(const Vector<2>& x) {
 
 /// Water in a basin; the depth is zero where a wall stands.
 struct Basin {
-  Lattice<2> cells = CartesianGrid<2>{Vector<2>{0, 0}, Vector<2>{dx, dx}, {200, 100}, {false, false}}.cells();
+  Lattice<2> cells = box<2>({0, 0}, {20, 10}, {200, 100}).cells();
   OccupiedCells<2> grid{cells};
   std::vector<double> u;  // num_cells x (h, h v_x, h v_y), component fastest
 
@@ -53,8 +53,8 @@ struct Basin {
   }
 
   void advance(double duration) {
-    const BoxBoundaries<2, 3> walls{{{Reflecting{}, Reflecting{}}, {Reflecting{}, Reflecting{}}}};
-    Solver solver{grid, ShallowWater<2>{g}, PiecewiseLinear{Minmod{}}, SspRk2{}, {.boundaries = walls}};
+    Solver solver{
+        grid, ShallowWater<2>{g}, PiecewiseLinear{Minmod{}}, {.boundaries = everywhere(Reflecting{})}};
     solver.advance(u, duration);
   }
 };

@@ -7,7 +7,7 @@
 // Nothing is tuned: these are the library's default settings.
 #include "output.hpp"
 
-#include <scree/grid.hpp>
+#include <scree/box.hpp>
 #include <scree/transport/laws/euler.hpp>
 #include <scree/transport/solver.hpp>
 
@@ -52,8 +52,7 @@ double exact_mass() {
 
 int main(int argc, char** argv) {
   const auto folder = demo::folder_from(argc, argv);
-  const Lattice<2> cells =
-      CartesianGrid<2>{Vector<2>{0, 0}, Vector<2>{dx, dx}, {num_cells, num_cells}, {false, false}}.cells();
+  const Lattice<2> cells = box<2>({0, 0}, {1, 1}, {num_cells, num_cells}).cells();
   const Euler<2> euler;
   std::vector<double> u;  // num_cells^2 x 4 components, component fastest
   for (Index site = 0; site < cells.num_sites(); ++site) {
@@ -62,9 +61,8 @@ int main(int argc, char** argv) {
   }
 
   const Threads threads{static_cast<int>(std::thread::hardware_concurrency())};  // any number: the same bits
-  const BoxBoundaries<2, 4> open{{{Outflow{}, Outflow{}}, {Outflow{}, Outflow{}}}};
   // Nothing said about the scheme: the usual one, slopes of density, velocity and pressure, kept positive.
-  Solver solver{Cartesian<2>{cells}, euler, {.threads = threads, .boundaries = open}};
+  Solver solver{Cartesian{cells}, euler, {.threads = threads, .boundaries = everywhere(Outflow{})}};
   const Advance done = solver.advance(u, end_time);
   demo::write_plane(folder / "euler_riemann.csv", cells, u, 4);
 

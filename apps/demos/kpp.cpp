@@ -7,7 +7,7 @@
 // The law is solved twice, with the bound over the whole interval, and with the speeds at its two ends alone.
 #include "output.hpp"
 
-#include <scree/grid.hpp>
+#include <scree/box.hpp>
 #include <scree/transport/laws/user_law.hpp>
 #include <scree/transport/reconstructions/piecewise_linear.hpp>
 #include <scree/transport/solver.hpp>
@@ -27,7 +27,6 @@ using std::numbers::pi;
 constexpr double inside = 14 * pi / 4;
 constexpr double outside = pi / 4;
 constexpr Index num_cells = 200;  // along each axis
-constexpr double dx = 4.0 / num_cells;
 
 /// f.n = n_x sin u + n_y cos u, along a unit normal n.
 constexpr auto flux = [](double u, const Vector<2>& n) { return n[0] * std::sin(u) + n[1] * std::cos(u); };
@@ -58,21 +57,15 @@ struct Range {
 /// Solves with one of the two speeds, and draws. @return the range of the result
 template <class Speed>
 Range solve(Speed speed, const std::filesystem::path& file) {
-  const Lattice<2> cells = CartesianGrid<2>{
-      Vector<2>{-2, -2.5},
-      Vector<2>{dx, dx},
-      {num_cells, num_cells},
-      {false, false}}.cells();
+  const Lattice<2> cells = box<2>({-2, -2.5}, {2, 1.5}, {num_cells, num_cells}).cells();
   std::vector<double> u;
   for (Index site = 0; site < cells.num_sites(); ++site) {
     u.push_back(cells.position(cells.site(site)).norm() < 1 ? inside : outside);
   }
-  const BoxBoundaries<2, 1> open{{{Outflow{}, Outflow{}}, {Outflow{}, Outflow{}}}};
-  Solver solver{Cartesian<2>{cells},
+  Solver solver{Cartesian{cells},
                 make_law<1, 2>(flux, speed),
                 PiecewiseLinear{Minmod{}},
-                SspRk2{},
-                {.boundaries = open}};
+                {.boundaries = everywhere(Outflow{})}};
 
   const Advance done = solver.advance(u, 1);
 

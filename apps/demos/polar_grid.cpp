@@ -78,7 +78,7 @@ double error_after_a_turn(Index rows) {
   for (Index i = 0; i < grid.num_cells(); ++i) hill.push_back(std::exp(2 * grid.centre(i)[0] - 2));
   std::vector<double> u = hill;
   const SolverOptions<PolarGrid, 1> walls{.boundaries = {{"inner", ZeroFlux{}}, {"outer", ZeroFlux{}}}};
-  Solver solver{grid, Rotation{}, CellGradient{SmoothCubic{}, 1}, SspRk2{}, walls};
+  Solver solver{grid, Rotation{}, CellGradient{SmoothCubic{}, 1}, walls};
   const int steps = solver.advance(u, turn).substeps;
   double error = 0, gained = 0;
   for (std::size_t i = 0; i < u.size(); ++i) {

@@ -8,8 +8,8 @@
 #include "exact_fronts.hpp"
 #include "output.hpp"
 
+#include <scree/box.hpp>
 #include <scree/grainsize/segregation.hpp>
-#include <scree/grid.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ double error_of(std::span<const double> mean_sizes, const demo::ExactColumn& exa
 
 int main(int argc, char** argv) {
   const auto folder = demo::folder_from(argc, argv);
-  const Lattice<1> cells = CartesianGrid<1>{Vector<1>{0.0}, Vector<1>{dz}, {num_cells}, {false}}.cells();
+  const Lattice<1> cells = box<1>({0}, {height}, {num_cells}).cells();
   std::vector<double> phi;  // num_cells x num_classes, class fastest
   for (Index i = 0; i < num_cells; ++i) phi.insert(phi.end(), shares.begin(), shares.end());
 
@@ -78,8 +78,7 @@ int main(int argc, char** argv) {
     for (const demo::Front& front : exact.fronts) fronts.values.push_back(front.z);
   }
   demo::write_table(folder / "segregation_fronts.csv", {times, fronts});
-  const CartesianGrid<2> picture{
-      Vector<2>{0, 0}, Vector<2>{dz, frame}, {num_cells, num_frames}, {false, false}};
+  const auto picture = box<2>({0, 0}, {height, num_frames * frame}, {num_cells, num_frames});
   demo::write_plane(folder / "segregation_column.csv", picture.cells(), mean_sizes);
 
   double drift = 0;  // of the share of a size in the whole column

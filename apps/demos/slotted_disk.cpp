@@ -6,7 +6,7 @@
 // slot are what numerical diffusion wears away; how much of them is left after a turn is up to the limiter.
 #include "output.hpp"
 
-#include <scree/grid.hpp>
+#include <scree/box.hpp>
 #include <scree/transport/laws/advection.hpp>
 #include <scree/transport/limiters.hpp>
 #include <scree/transport/reconstructions/piecewise_linear.hpp>
@@ -67,8 +67,7 @@ template <Limiter L>
 double error_of(const L& limiter, const std::filesystem::path& file, const Lattice<2>& cells,
                 const std::vector<double>& disk) {
   std::vector<double> u = disk;
-  Solver solver{Cartesian<2>{cells}, Rotation{cells},
-                PiecewiseLinear{limiter}};  // walls unless told otherwise
+  Solver solver{Cartesian{cells}, Rotation{cells}, PiecewiseLinear{limiter}};  // walls unless told otherwise
 
   const Advance done = solver.advance(u, turn);
 
@@ -87,8 +86,7 @@ double error_of(const L& limiter, const std::filesystem::path& file, const Latti
 
 int main(int argc, char** argv) {
   const auto folder = demo::folder_from(argc, argv);
-  const Lattice<2> cells =
-      CartesianGrid<2>{Vector<2>{0, 0}, Vector<2>{dx, dx}, {num_cells, num_cells}, {false, false}}.cells();
+  const Lattice<2> cells = box<2>({0, 0}, {1, 1}, {num_cells, num_cells}).cells();
   const std::vector<double> disk = disk_on(cells);
   demo::write_plane(folder / "slotted_disk_start.csv", cells, disk);
   const double minmod = error_of(Minmod{}, folder / "slotted_disk_minmod.csv", cells, disk);

@@ -158,5 +158,42 @@ TEST(ImexIntegrator, SaysWhenAStableStepIsNoStep) {
   EXPECT_EQ(message_of_bound(1e-17).substr(0, 42), "ImexIntegrator: the step fell to 9e-18 s a");
 }
 
+/// u' = 1, stable in steps of 0.1 s up to u = 1 and of 1e-6 s beyond.
+ImexProblem collapsing() {
+  ImexProblem problem;
+  problem.explicit_rate = [](double, Values u, std::span<double> rate) {
+    rate[0] = 1;
+    return u[0] > 1 ? 1e-6 : 0.1;
+  };
+  return problem;
+}
+
+// 2/0.09 = 23 steps at first: 1000 (23 + 1) at most. A stage of the 12th is beyond u = 1.
+TEST(ImexIntegrator, EndsARunWhoseStepsCollapse) {
+  ImexIntegrator integrator{1, collapsing(), {.steps = Steps::longest}};
+  std::vector<double> u{0};
+  EXPECT_EQ(test::message_of<RunError>([&] { integrator.advance(u, 0, 2); }),
+            "ImexIntegrator: the time step fell from 0.0869565 s to 8.99999e-07 s in 24000 steps, at time "
+            "0.978112 s: "
+            "more steps than a flow of such waves as at the start takes");
+  EXPECT_EQ(u[0], 0);
+}
+
+TEST(ImexIntegrator, TakesNoMoreStepsThanItIsTold) {
+  std::vector<double> u{0};
+  ImexIntegrator longest{1, collapsing(), {.steps = Steps::longest, .max_steps = 5}};
+  EXPECT_EQ(
+      test::message_of<RunError>([&] { longest.advance(u, 0, 0.9); }),
+      "ImexIntegrator: the time step fell from 0.09 s to 0.09 s in 5 steps, at time 0.45 s: more steps than "
+      "max_steps");
+  ImexIntegrator adaptive{1, collapsing(), {.steps = Steps::adaptive, .max_steps = 5}};
+  EXPECT_EQ(
+      test::message_of<RunError>([&] { adaptive.advance(u, 0, 0.9); }),
+      "ImexIntegrator: ARKStepEvolve failed with ARK_TOO_MUCH_WORK: At t = 0.45, mxstep steps taken before "
+      "reaching tout.");
+  EXPECT_EQ(test::message_of<InputError>([&] { ImexIntegrator(1, collapsing(), {.max_steps = 0}); }),
+            "ImexIntegrator: max_steps = 0: must be 1 or more");
+}
+
 }  // namespace
 }  // namespace scree::transport

@@ -180,7 +180,7 @@ TEST(StiffSolver, RefusesWhatItCannotPromise) {
   };
   EXPECT_EQ(
       make({.cfl = 0.56}),
-      "Solver: the CFL number is 0.56: must lie in (0, 0.5], where bounds and total variation are kept");
+      "Solver: the CFL number is 0.56: must lie in (0, 0.5], as the scheme promises no more");
   EXPECT_EQ(make({.relative_tolerance = -1}),
             "ImexIntegrator: relative_tolerance = -1: must be positive and finite");
   EXPECT_EQ(make({.solver = Banded{1, 1}}),

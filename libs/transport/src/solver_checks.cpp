@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <string>
 
 namespace scree::transport::detail {
 
@@ -10,7 +11,7 @@ void require_cfl(double cfl, double promised) {
   if (0 < cfl && cfl <= promised) return;
   std::ostringstream text;
   text << "Solver: the CFL number is " << cfl << ": must lie in (0, " << promised
-       << "], where bounds and total variation are kept";
+       << "], as the scheme promises no more";
   throw InputError{text.str()};
 }
 
@@ -36,12 +37,9 @@ void require_start_time(double time) {
   throw InputError{text.str()};
 }
 
-void require_progress(double dt, double duration) {
-  if (dt > round_off * duration) return;
-  std::ostringstream text;
-  text << "Solver: the time step fell to " << dt << " s, below the round-off of the duration, " << duration
-       << " s";
-  throw RunError{text.str()};
+void require_max_steps(const std::optional<Index>& max_steps) {
+  if (!max_steps || *max_steps >= 1) return;
+  throw InputError{"Solver: max_steps is " + std::to_string(*max_steps) + ": must be at least 1"};
 }
 
 }  // namespace scree::transport::detail

@@ -52,6 +52,9 @@ void require_valid(Index num_values, const ImexProblem& problem, const ImexOptio
   if (!(options.largest_step > 0)) {
     fail<InputError>("largest_step = ", options.largest_step, " s: must be positive");
   }
+  if (options.max_steps && *options.max_steps < 1) {
+    fail<InputError>("max_steps = ", *options.max_steps, ": must be 1 or more");
+  }
   if (!(options.stable_part > 0 && options.stable_part <= 1)) {
     fail<InputError>("stable_part = ", options.stable_part, ": must lie in (0, 1]");
   }

@@ -2,6 +2,8 @@
 #include "arkode_handles.hpp"
 #include "imex_checks.hpp"
 
+#include <scree/error.hpp>
+#include <scree/transport/detail/step_limit.hpp>
 #include <scree/transport/time/cfl.hpp>
 #include <scree/transport_stiff/imex_integrator.hpp>
 
@@ -127,7 +129,8 @@ class ImexIntegrator::Solver {
   void set_step_bounds() {
     const double largest = std::isfinite(options_.largest_step) ? options_.largest_step : 0;  // 0: none
     check(ARKStepSetMaxStep(memory_.get(), largest), "ARKStepSetMaxStep", calls_.said());
-    check(ARKStepSetMaxNumSteps(memory_.get(), -1), "ARKStepSetMaxNumSteps", calls_.said());  // no limit
+    const long max_steps = options_.max_steps.value_or(-1);  // -1: no limit
+    check(ARKStepSetMaxNumSteps(memory_.get(), max_steps), "ARKStepSetMaxNumSteps", calls_.said());
     if (!calls_.problem().explicit_rate) return;
     check(ARKStepSetStabilityFn(memory_.get(), &detail::ArkodeCallbacks::bound_step, &calls_),
           "ARKStepSetStabilityFn", calls_.said());
@@ -159,6 +162,7 @@ class ImexIntegrator::Solver {
     const double start = time;
     double remaining = duration;
     double bound = longest_from(time);
+    detail::StepLimit limit{options_.max_steps, duration, N_VGetLength(now_.get())};
     while (remaining > 0) {
       const double step = next_step(remaining, 1 / bound, 1);
       detail::require_progress(step, start, duration);
@@ -175,7 +179,9 @@ class ImexIntegrator::Solver {
       }
       time = reached;
       remaining = step < remaining ? remaining - step : 0;
-      if (remaining > 0) bound = longest_from(time);
+      if (remaining == 0) break;
+      if (!limit.allows_more_after(step)) throw RunError{"ImexIntegrator: " + limit.text(time)};
+      bound = longest_from(time);
     }
   }
 

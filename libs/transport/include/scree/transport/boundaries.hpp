@@ -31,4 +31,25 @@ using AnyBoundary = AnyOf<BoundaryList<D, N>>;
 template <int D, int N>
 using BoxBoundaries = std::array<std::array<AnyBoundary<D, N>, 2>, static_cast<std::size_t>(D)>;
 
+/// One boundary for all sides of a box, what everywhere() returns: turns into the BoxBoundaries that are
+/// asked for.
+template <class B>
+struct Everywhere {
+  B boundary;
+
+  // Not explicit: it may stand where the boundaries of a box are asked for.
+  template <class Any, std::size_t D>
+  operator std::array<std::array<Any, 2>, D>() const {
+    std::array<std::array<Any, 2>, D> sides;
+    for (auto& axis : sides) axis.fill(boundary);
+    return sides;
+  }
+};
+
+/// The same boundary at all sides of a box: `{.boundaries = everywhere(Outflow{})}`.
+template <class B>
+[[nodiscard]] Everywhere<B> everywhere(const B& boundary) {
+  return {boundary};
+}
+
 }  // namespace scree::transport

@@ -174,7 +174,8 @@ concept NumericalFlux = Named<F> && std::copyable<F> &&
 /// it is not.
 ///
 /// Where a neighbour is missing or empty it is called with three equal states.
-/// `promised_cfl()` is the largest CFL number at which bounds and total variation are kept.  Eq. (T9)
+/// `promised_cfl()` is the largest CFL number at which bounds and total variation are kept, or, by one that
+/// leaves bounds, no wave grows.  Eqs. (T9), (T41)
 template <class R, int N>
 concept Reconstruction = Named<R> && std::copyable<R> &&
     requires(const R reconstruction, const std::array<double, static_cast<std::size_t>(N)>& u) {

@@ -2,11 +2,15 @@
 
 #include <scree/error.hpp>
 #include <scree/transport/detail/admissible_states.hpp>
+#include <scree/transport/detail/fastest_cell.hpp>
+#include <scree/transport/detail/place.hpp>
 #include <scree/transport/detail/solver_checks.hpp>
+#include <scree/transport/detail/step_limit.hpp>
 #include <scree/transport/fluxes/kurganov_tadmor.hpp>
 #include <scree/transport/grids/cartesian.hpp>
 #include <scree/transport/semi_discrete.hpp>
 #include <scree/transport/semi_discrete_faces.hpp>
+#include <scree/transport/solver_options.hpp>
 #include <scree/transport/time/cfl.hpp>
 #include <scree/transport/time/ssp_rk2.hpp>
 #include <scree/transport/time/stages.hpp>
@@ -24,22 +28,6 @@
 
 namespace scree::transport {
 
-/// What an advance did.
-struct Advance {
-  int substeps = 0;          ///< steps taken
-  double largest_speed = 0;  ///< at any face in any of them [m/s]
-  double stable_dt = 0;      ///< longest that the last step could have been [s]
-};
-
-/// What a solver of N components on a kind of grid may be told.
-template <class Grid, int N>
-struct SolverOptions {
-  std::optional<double> cfl = {};  ///< CFL number of its steps [-]; 9/10 of the promised one unless given
-  Threads threads = {};            ///< one unless given
-  typename BoundariesOf<Grid, N>::type boundaries = {};  ///< walls unless given
-  double start_time = 0;                                 ///< [s]
-};
-
 /// Advances a conservation law in time, in as many steps as its CFL number asks for.
 ///
 /// Owns its work arrays: advancing allocates nothing. The grid and the law may be changed between advances
@@ -51,7 +39,8 @@ class Solver {
   static constexpr int N = PointLawOf<Law>::num_components;
   using Options = SolverOptions<Grid, N>;
 
-  /// @throws InputError if the CFL number is not in (0, promised_cfl], or the start time is not finite.
+  /// @throws InputError if the CFL number is not in (0, promised_cfl], the start time is not finite, or no
+  /// step is allowed.
   Solver(Grid grid, Law law, Reconstruct reconstruction, Stages stages = SspRk2{},
          SolverOptions<Grid, PointLawOf<Law>::num_components> options = {}, Flux flux = {})
       : promised_cfl_{promised_cfl(reconstruction)},
@@ -63,10 +52,18 @@ class Solver {
         now_{num_sites()},
         stage_{num_sites()},
         rates_{num_sites()},
-        time_{options.start_time} {
+        time_{options.start_time},
+        max_steps_{options.max_steps} {
     detail::require_cfl(cfl_, promised_cfl_);
     detail::require_start_time(time_);
+    detail::require_max_steps(max_steps_);
   }
+
+  /// With the usual integrator.  @throws as the other.
+  Solver(Grid grid, Law law, Reconstruct reconstruction,
+         SolverOptions<Grid, PointLawOf<Law>::num_components> options, Flux flux = {})
+      : Solver{std::move(grid), std::move(law),     reconstruction,
+               SspRk2{},        std::move(options), std::move(flux)} {}
 
   /// With the usual reconstruction and, if its type is not written out, the usual flux for the law.
   /// @throws as the other.
@@ -101,19 +98,22 @@ class Solver {
   /// Advances `u` by `duration` [s].
   /// @param u num_sites x num_components, component fastest; not written at empty sites.
   /// @throws InputError for a wrong length or duration, or a state that the law does not admit.
-  /// @throws RunError if a value is not finite, or a state no longer admissible; then `u` and the time are as
-  /// they were.
+  /// @throws RunError if a value is not finite, a state no longer admissible, or steps get so short that
+  /// there would be too many; then `u` and the time are as they were.
   Advance advance(std::span<double> u, double duration) {
     detail::require_size(u.size(), num_sites(), N);
     detail::require_duration(duration);
     now_.gather(u, semi_discrete_.threads());
     detail::require_admissible<InputError>(semi_discrete_, now_);
     Advance result;
+    detail::StepLimit limit{max_steps_, duration, detail::num_across(grid())};
     double remaining = duration;
     while (remaining > 0) {
       const double dt = step(time_ + (duration - remaining), remaining, result);
-      detail::require_progress(dt, duration);
       remaining = dt < remaining ? remaining - dt : 0;
+      if (limit.allows_more_after(dt) || remaining == 0) continue;
+      throw RunError{"Solver: " + limit.text(time_ + (duration - remaining)) + "; waves are fastest at " +
+                     detail::place_in(grid(), detail::fastest_cell(grid(), law(), now_))};
     }
     detail::require_admissible<RunError>(semi_discrete_, now_);
     now_.scatter(u, semi_discrete_.threads(), [&](Index site) { return semi_discrete_.holds(site); });
@@ -225,6 +225,7 @@ class Solver {
   Storage stage_;
   Storage rates_;
   double time_;
+  std::optional<Index> max_steps_;
 };
 template <class Grid, class Law>
 Solver(Grid, Law) -> Solver<Grid, Law, UsualReconstructionOn<Grid, Law>, UsualFlux<Law, Grid::dimension>>;

@@ -40,6 +40,7 @@ class StaggeredSolver {
         cfl_{options.cfl.value_or(usual_part * usual_cfl(limiter))},
         threads_{options.threads},
         time_{options.start_time},
+        max_steps_{options.max_steps},
         to_corners_{lattice},
         to_cells_{detail::corners_of(lattice)},
         cells_{lattice.num_sites()},
@@ -48,6 +49,7 @@ class StaggeredSolver {
         reports_(static_cast<std::size_t>(std::max(threads_.count, 1))) {
     detail::require_staggered(lattice.sites, cfl_, largest_cfl());
     detail::require_start_time(time_);
+    detail::require_max_steps(max_steps_);
   }
 
   /// Up to this the scheme without a limiter is linearly stable, and waves from both sides of a cell do not
@@ -66,18 +68,22 @@ class StaggeredSolver {
 
   /// Advances `u` by `duration` [s].
   /// @param u num_sites x num_components, component fastest.
-  /// @throws InputError for a wrong length or duration. @throws RunError if a value is not finite; then `u`
-  /// and the time are as they were.
+  /// @throws InputError for a wrong length or duration. @throws RunError if a value is not finite, or steps
+  /// get so short that there would be too many; then `u` and the time are as they were.
   Advance advance(std::span<double> u, double duration) {
     detail::require_size(u.size(), cells_.num_sites(), N);
     detail::require_duration(duration);
     cells_.gather(u, threads_);
     Advance result;
+    const Cartesian<D> grid{to_corners_.source()};
+    detail::StepLimit limit{max_steps_, duration, detail::num_across(grid)};
     double remaining = duration;
     while (remaining > 0) {
       const double length = pair(time_ + (duration - remaining), remaining, result);
-      detail::require_progress(length, duration);
       remaining = length < remaining ? remaining - length : 0;
+      if (limit.allows_more_after(length, 2) || remaining == 0) continue;
+      throw RunError{"Solver: " + limit.text(time_ + (duration - remaining)) + "; waves are fastest at " +
+                     detail::place_in(grid, detail::fastest_cell(grid, law_, cells_))};
     }
     cells_.scatter(u, threads_, [](Index /*site*/) { return true; });
     time_ += duration;
@@ -202,6 +208,7 @@ class StaggeredSolver {
   double cfl_;
   Threads threads_;
   double time_;
+  std::optional<Index> max_steps_;
   Sweep to_corners_;
   Sweep to_cells_;
   Fields<N> cells_;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <scree/tensor.hpp>
+
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -66,6 +69,10 @@ struct ImexOptions {
   double absolute_tolerance =
       1e-9;  ///< the same [unit of u]; over the relative one it is a typical size of u
   double largest_step = std::numeric_limits<double>::infinity();  ///< [s]
+  /// Steps that one advance may take. Unless given, of adaptive ones any number, of the longest ones a
+  /// thousand times as many as the first one asks for and as there are values: more means that steps have
+  /// collapsed.
+  std::optional<Index> max_steps = {};
   double stable_part = 0.9;  ///< of the stable step that is taken: leaves room for growth within it [-]
   ImplicitSolver solver = Gmres{};  ///< of the linear systems in Newton's method
 };

@@ -33,8 +33,9 @@ struct StiffOptions {
   ImexMethod method = ImexMethod::ssp2;
   Steps steps = Steps::longest;
   double largest_step = std::numeric_limits<double>::infinity();  ///< [s]
-  double relative_tolerance = 1e-7;  ///< of implicit solves, and adaptive steps [-]
-  double absolute_tolerance = 1e-9;  ///< the same [unit of u]
+  std::optional<Index> max_steps = {};  ///< of one advance; see ImexOptions unless given
+  double relative_tolerance = 1e-7;     ///< of implicit solves, and adaptive steps [-]
+  double absolute_tolerance = 1e-9;     ///< the same [unit of u]
   ImplicitSolver solver = Gmres{};
   Preconditioner preconditioner = Preconditioner::lines;
 };
@@ -71,6 +72,7 @@ class StiffSolver {
                            .relative_tolerance = options.relative_tolerance,
                            .absolute_tolerance = options.absolute_tolerance,
                            .largest_step = options.largest_step,
+                           .max_steps = options.max_steps,
                            .stable_part = cfl / promised,
                            .solver = options.solver};
     work_.resize(static_cast<std::size_t>(num_values()));

@@ -1,16 +1,14 @@
 #pragma once
 
-#include <scree/transport/detail/axis_geometry.hpp>
-#include <scree/transport/detail/numbering.hpp>
 #include <scree/transport/detail/row_balance.hpp>
-#include <scree/transport/detail/row_kernels.hpp>
+#include <scree/transport/detail/slab_fluxes.hpp>
+#include <scree/transport/detail/slab_layout.hpp>
 #include <scree/transport/detail/wall_kernel.hpp>
 #include <scree/transport/discretisation.hpp>
 
 #include <cmath>
 #include <memory>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace scree::transport::detail {
@@ -39,16 +37,11 @@ class SlabSweep {
 
   /// Layers first_layer .. end_layer - 1 along the last axis (which 1D has not: one row).
   SlabSweep(const typename Problem::Grid& grid, Index first_layer, Index end_layer, double cfl)
-      : numbering_{grid.count(), grid.is_periodic()},
-        first_layer_{first_layer},
-        end_layer_{end_layer},
-        num_tiles_{(grid.count()[0] + tile_width - 1) / tile_width},
-        row_fluxes_(static_cast<std::size_t>(num_tiles_)) {
-    for (int axis = 0; axis < D; ++axis) geometry_.emplace_back(grid, axis, cfl);
+      : layout_{grid, first_layer, end_layer, cfl},
+        row_fluxes_(static_cast<std::size_t>(layout_.num_tiles())) {
     for (auto& line : spare_) line = std::make_unique<Line>();
     for (int axis = 1; axis < D; ++axis) {
-      const Index num_lines = numbering_.rows_per_layer(axis) * num_tiles_;
-      for (Index line = 0; line < num_lines; ++line) lines_.push_back(std::make_unique<Line>());
+      for (Index line = 0; line < layout_.num_lines(axis); ++line) lines_.push_back(std::make_unique<Line>());
     }
   }
 
@@ -56,19 +49,17 @@ class SlabSweep {
   template <class Write>
   [[nodiscard]] SweepReport operator()(const Problem& problem, const Fields<N>& fields, double time,
                                        const Write& write) noexcept {
-    time_ = time;
     largest_limit_ = {};
     largest_speed_ = {};
     first_fault_ = no_site;
-    const Index rows_per_layer = D == 1 ? 1 : numbering_.rows_per_layer(D - 1);
-    for (Index row = first_layer_ * rows_per_layer; row < end_layer_ * rows_per_layer; ++row) {
-      const Index start = row * numbering_.count[0];
-      const Place place{row, start, numbering_.site(start)};
-      sweep_along_row(problem, fields, place);
+    const Flow flow{problem, fields, time};
+    for (Index row = layout_.first_row(); row < layout_.end_row(); ++row) {
+      const Place place = layout_.place_of(row);
+      sweep_along_row(flow, place);
       for (int axis = 1; axis < D; ++axis) {
-        if (starts_line(place, axis)) start_lines(problem, fields, place, axis);
+        if (layout_.starts_line(place, axis)) start_lines(flow, place, axis);
       }
-      for (Index tile = 0; tile < num_tiles_; ++tile) balance_tile(problem, fields, place, tile, write);
+      for (Index tile = 0; tile < layout_.num_tiles(); ++tile) balance_tile(flow, place, tile, write);
     }
     return {largest_limit_.value(), largest_speed_.value()};
   }
@@ -82,156 +73,60 @@ class SlabSweep {
   }
 
  private:
-  /// A row: its number, first site, and that site's coordinates.
-  struct Place {
-    Index row;
-    Index start;
-    Indices<D> site;
-  };
   using Law = typename Problem::Law;
   using State = typename Problem::State;
   using Grid = typename Problem::Grid;
-  using Fluxes = FluxTile<N, Diffusive<PointLawOf<Law>>>;
+  using Flow = detail::Flow<Problem>;
+  using Place = RowPlace<D>;
+  using Fluxes = FluxTileOf<Problem>;
   static constexpr bool has_walls = HasMirror<PointLawOf<Law>, D> && !Grid::is_full;
   using Parts = BalanceParts<Fluxes, HasSource<Law, D>, has_walls>;
-  using Geometry = AxisGeometry<Grid::has_equal_spacing>;
   /// What the sweep carries from one row to the next along an axis.
   struct Line {
     Fluxes flux;   ///< through the low faces of the row to come
     Tile<N> high;  ///< reconstruction at the high faces of the row that was passed
   };
 
-  [[nodiscard]] Index count_of(Index tile) const noexcept {
-    return std::min(tile_width, numbering_.count[0] - tile * tile_width);
-  }
-
-  [[nodiscard]] bool is_periodic(int axis) const noexcept {
-    return numbering_.is_periodic[static_cast<std::size_t>(axis)];
-  }
-
-  [[nodiscard]] const Geometry& geometry(int axis) const noexcept {
-    return geometry_[static_cast<std::size_t>(axis)];
-  }
-
-  [[nodiscard]] bool starts_line(const Place& place, int axis) const noexcept {
-    const Index coordinate = place.site[static_cast<std::size_t>(axis)];
-    return coordinate == 0 || (axis == D - 1 && coordinate == first_layer_);
-  }
-
   [[nodiscard]] std::unique_ptr<Line>& line(const Place& place, int axis, Index tile) noexcept {
-    const Index before = axis == 1 ? 0 : 1;  // the lines of axis 1 come first: one row of them
-    const Index row = before + place.row % numbering_.rows_per_layer(axis);
-    return lines_[static_cast<std::size_t>(row * num_tiles_ + tile)];
+    return lines_[layout_.line(place, axis, tile)];
   }
 
-  /// Sites of a row along axis 0, from the site with coordinate `from`.
-  [[nodiscard]] auto stencil_along(Index start, Index from, Index count) const noexcept {
-    return stencil_of(start + from, from, 0, count, geometry(0).ratios_along(from));
-  }
-
-  /// Sites of a row that all have one `coordinate` along another axis.
-  [[nodiscard]] auto stencil_across(Index here, Index coordinate, int axis, Index count) const noexcept {
-    return stencil_of(here, coordinate, axis, count, geometry(axis).ratios_across(coordinate));
-  }
-
-  template <class Ratios>
-  [[nodiscard]] StencilRow<Ratios> stencil_of(Index here, Index coordinate, int axis, Index count,
-                                              Ratios ratios) const noexcept {
-    const Index below = numbering_.neighbour(here, coordinate, axis, -1);
-    const Index above = numbering_.neighbour(here, coordinate, axis, 1);
-    if (below == no_site || above == no_site) return {here, here, here, count, ratios};
-    return {below, here, above, count, ratios};
-  }
-
-  template <class Ratios>
-  static void reconstruct_row(const Problem& problem, const Fields<N>& fields, const StencilRow<Ratios>& row,
-                              double* low, double* high) noexcept {
-    in_packs(row.count, [&](Index begin, Index count) {
-      reconstruct(problem.grid, problem.reconstruction, fields, row.part(begin, count), low + begin,
-                  high + begin);
-    });
-  }
-
-  template <class Distance>
-  void flux_through_row(const Problem& problem, const Fields<N>& fields, const FaceRow<Distance>& row,
-                        const double* left, const double* right, double* flux) noexcept {
-    in_packs(row.count, [&](Index begin, Index count) {
-      flux_between(problem.grid, problem.law, problem.flux, fields, row.part(begin, count), left + begin,
-                   right + begin, flux + begin, largest_speed_.lanes() + begin);
-    });
-  }
-
-  /// Fluxes through boundary faces of `axis`, at the low or high end, of `count` sites from the one with
-  /// coordinates `site` on, along the axis.  Eq. (T8)
-  void flux_out(const Problem& problem, const Fields<N>& fields, Indices<D> site, Index first, Index count,
-                int axis, End end, double* flux) noexcept {
-    const double sign = end == End::low ? -1 : 1;
-    BoundaryFace<D> at{{}, sign * Vector<D>::Unit(axis), time_};
-    const double distance = geometry(axis).distance_beyond(end);
-    const auto apply = [&](const auto& boundary) {
-      for (Index i = 0; i < count; ++i) {
-        FaceFlux<State> face{};
-        if constexpr (!std::remove_cvref_t<decltype(boundary)>::is_closed) {
-          at.centre = problem.grid.position(site);
-          at.centre[axis] = problem.grid.end(axis, end);
-          const auto law = law_at(problem.law, Face{first + i, no_site, axis, distance});
-          face = boundary.flux(problem.flux, law, fields[first + i], at);
-        }
-        write_flux(face, problem.grid.density(first + i), sign, flux + i);
-        ++site[0];
-      }
-    };
-    std::visit(apply, problem.boundaries[static_cast<std::size_t>(axis)][static_cast<std::size_t>(end)]);
-  }
-
-  void write_flux(const FaceFlux<State>& face, double density, double sign, double* flux) noexcept {
-    const bool is_open = density > 0;
-    for (int k = 0; k < N; ++k) {
-      flux[k * Fluxes::stride] = is_open ? sign * density * face.value[static_cast<std::size_t>(k)] : 0.0;
-    }
-    flux[Fluxes::drain * Fluxes::stride] = is_open ? density * face.speed : 0.0;
-    if constexpr (Fluxes::has_diffusion) flux[Fluxes::diffusion * Fluxes::stride] = 0;
-    double& fastest = *largest_speed_.lanes();
-    if (is_open && face.speed > fastest) fastest = face.speed;
+  /// Fluxes out through faces that `count` sites of a row have at an end of an axis.
+  void flux_out(const Flow& flow, const Indices<D>& site, Index first, Index count, int axis, End end,
+                double* flux) noexcept {
+    const double distance = layout_.geometry(axis).distance_beyond(end);
+    detail::flux_out(flow, {site, first, count, axis, end, distance}, flux, largest_speed_);
   }
 
   /// Reconstruction at the sites of one tile of a row along the row itself; its end sites have neighbours
   /// of their own.
-  void reconstruct_tile(const Problem& problem, const Fields<N>& fields, Index start, Index tile) noexcept {
+  void reconstruct_tile(const Flow& flow, Index start, Index tile) noexcept {
     const Index begin = tile * tile_width;
     const auto part = [&](Index from, Index to) {
       if (from >= to) return;
-      reconstruct_row(problem, fields, stencil_along(start, from, to - from), low_.row(0) + (from - begin),
+      reconstruct_row(flow, layout_.stencil_along(start, from, to - from), low_.row(0) + (from - begin),
                       high_.row(0) + (from - begin));
     };
-    for_each_part(begin, begin + count_of(tile), part);
-  }
-
-  /// Cuts sites begin .. end - 1 of a row into those with neighbours beside them and the row's end sites.
-  template <class Part>
-  void for_each_part(Index begin, Index end, Part&& part) const noexcept {
-    const Index last = numbering_.count[0] - 1;
-    part(begin, std::min<Index>(end, 1));
-    part(std::max<Index>(begin, 1), std::min(end, last));
-    part(std::max<Index>({begin, last, 1}), end);
+    layout_.for_each_part(begin, begin + layout_.count_of(tile), part);
   }
 
   /// Fluxes through the low faces of all sites of a row along the row, and through its last high face.
-  void sweep_along_row(const Problem& problem, const Fields<N>& fields, const Place& place) noexcept {
-    for (Index tile = 0; tile < num_tiles_; ++tile) {
+  void sweep_along_row(const Flow& flow, const Place& place) noexcept {
+    for (Index tile = 0; tile < layout_.num_tiles(); ++tile) {
       carry_over();
-      reconstruct_tile(problem, fields, place.start, tile);
-      if (tile == 0) start_row(problem, fields, place);
+      reconstruct_tile(flow, place.start, tile);
+      if (tile == 0) start_row(flow, place);
       const Index skipped = tile == 0 ? 1 : 0;
       const Index from = tile * tile_width + skipped;
       const Index site = place.start + from;
       double* flux = row_fluxes_[static_cast<std::size_t>(tile)].row(0);
-      const FaceRow row{site - 1, site, count_of(tile) - skipped, 0, geometry(0).distances_along(from)};
-      flux_through_row(problem, fields, row, high_.row(0) + skipped - 1, low_.row(0) + skipped,
-                       flux + skipped);
+      const FaceRow row{site - 1, site, layout_.count_of(tile) - skipped, 0,
+                        layout_.geometry(0).distances_along(from)};
+      flux_through_row(flow, row, high_.row(0) + skipped - 1, low_.row(0) + skipped, flux + skipped,
+                       largest_speed_);
       if (tile > 0) copy_face(flux, row_fluxes_[static_cast<std::size_t>(tile - 1)].row(0) + tile_width);
     }
-    end_row(problem, fields, place);
+    end_row(flow, place);
   }
 
   /// The reconstruction at the last high face of a full tile becomes the one before the next tile's first.
@@ -244,122 +139,114 @@ class SlabSweep {
   }
 
   /// Flux through the first low face of a row: of a boundary, or from the row's last site.
-  void start_row(const Problem& problem, const Fields<N>& fields, const Place& place) noexcept {
+  void start_row(const Flow& flow, const Place& place) noexcept {
     double* flux = row_fluxes_[0].row(0);
-    if (!is_periodic(0)) return flux_out(problem, fields, place.site, place.start, 1, 0, End::low, flux);
-    const Index last = numbering_.count[0] - 1;
-    reconstruct_row(problem, fields, stencil_along(place.start, last, 1), unwanted_.row(0), high_.row(0) - 1);
-    const FaceRow row{place.start + last, place.start, 1, 0, geometry(0).distances_along(0)};
-    flux_through_row(problem, fields, row, high_.row(0) - 1, low_.row(0), flux);
+    if (!layout_.is_periodic(0)) return flux_out(flow, place.site, place.start, 1, 0, End::low, flux);
+    const Index last = layout_.last();
+    reconstruct_row(flow, layout_.stencil_along(place.start, last, 1), unwanted_.row(0), high_.row(0) - 1);
+    const FaceRow row{place.start + last, place.start, 1, 0, layout_.geometry(0).distances_along(0)};
+    flux_through_row(flow, row, high_.row(0) - 1, low_.row(0), flux, largest_speed_);
   }
 
-  void end_row(const Problem& problem, const Fields<N>& fields, const Place& place) noexcept {
-    const Index last = numbering_.count[0] - 1;
-    double* flux = row_fluxes_.back().row(0) + count_of(num_tiles_ - 1);
-    if (is_periodic(0)) return copy_face(row_fluxes_[0].row(0), flux);
+  void end_row(const Flow& flow, const Place& place) noexcept {
+    const Index last = layout_.last();
+    double* flux = row_fluxes_.back().row(0) + layout_.count_of(layout_.num_tiles() - 1);
+    if (layout_.is_periodic(0)) return copy_face(row_fluxes_[0].row(0), flux);
     Indices<D> site = place.site;
     site[0] = last;
-    flux_out(problem, fields, site, place.start + last, 1, 0, End::high, flux);
+    flux_out(flow, site, place.start + last, 1, 0, End::high, flux);
   }
 
   /// Flux through the low faces of a row that is the first of its lines along `axis`, and reconstruction at
   /// its high ones.
-  void start_lines(const Problem& problem, const Fields<N>& fields, const Place& place, int axis) noexcept {
-    const Index coordinate = place.site[static_cast<std::size_t>(axis)];
-    for (Index tile = 0; tile < num_tiles_; ++tile) {
+  void start_lines(const Flow& flow, const Place& place, int axis) noexcept {
+    const Index coordinate = place.along(axis);
+    for (Index tile = 0; tile < layout_.num_tiles(); ++tile) {
       const Index here = place.start + tile * tile_width;
-      const Index count = count_of(tile);
+      const Index count = layout_.count_of(tile);
       Line& first = *line(place, axis, tile);
-      reconstruct_row(problem, fields, stencil_across(here, coordinate, axis, count), low_.row(0),
+      reconstruct_row(flow, layout_.stencil_across(here, coordinate, axis, count), low_.row(0),
                       first.high.row(0));
-      const Index below = numbering_.neighbour(here, coordinate, axis, -1);
+      const Index below = layout_.numbering().neighbour(here, coordinate, axis, -1);
       if (below == no_site) {
-        flux_out(problem, fields, site_of(place, tile), here, count, axis, End::low, first.flux.row(0));
+        flux_out(flow, layout_.site_of(place, tile), here, count, axis, End::low, first.flux.row(0));
         continue;
       }
-      const Index coordinate_below = numbering_.beside(coordinate, axis, -1);
-      reconstruct_row(problem, fields, stencil_across(below, coordinate_below, axis, count), unwanted_.row(0),
+      const Index coordinate_below = layout_.numbering().beside(coordinate, axis, -1);
+      reconstruct_row(flow, layout_.stencil_across(below, coordinate_below, axis, count), unwanted_.row(0),
                       high_.row(0));
-      const FaceRow row{below, here, count, axis, geometry(axis).distance_across(coordinate)};
-      flux_through_row(problem, fields, row, high_.row(0), low_.row(0), first.flux.row(0));
+      const FaceRow row{below, here, count, axis, layout_.geometry(axis).distance_across(coordinate)};
+      flux_through_row(flow, row, high_.row(0), low_.row(0), first.flux.row(0), largest_speed_);
     }
   }
 
   /// Flux through the high faces of a tile along `axis`, which are the low faces of the next row.
-  void advance_line(const Problem& problem, const Fields<N>& fields, const Place& place, int axis, Index tile,
-                    Line& next) noexcept {
-    const Index coordinate = place.site[static_cast<std::size_t>(axis)];
+  void advance_line(const Flow& flow, const Place& place, int axis, Index tile, Line& next) noexcept {
+    const Index coordinate = place.along(axis);
     const Index here = place.start + tile * tile_width;
-    const Index count = count_of(tile);
-    const Index above = numbering_.neighbour(here, coordinate, axis, 1);
+    const Index count = layout_.count_of(tile);
+    const Index above = layout_.numbering().neighbour(here, coordinate, axis, 1);
     if (above == no_site) {
-      return flux_out(problem, fields, site_of(place, tile), here, count, axis, End::high, next.flux.row(0));
+      return flux_out(flow, layout_.site_of(place, tile), here, count, axis, End::high, next.flux.row(0));
     }
-    reconstruct_row(problem, fields,
-                    stencil_across(above, numbering_.beside(coordinate, axis, 1), axis, count), low_.row(0),
-                    next.high.row(0));
-    const FaceRow row{here, above, count, axis, geometry(axis).distance_across(coordinate + 1)};
-    flux_through_row(problem, fields, row, line(place, axis, tile)->high.row(0), low_.row(0),
-                     next.flux.row(0));
-  }
-
-  [[nodiscard]] static Indices<D> site_of(const Place& place, Index tile) noexcept {
-    Indices<D> site = place.site;
-    site[0] = tile * tile_width;
-    return site;
+    reconstruct_row(
+        flow, layout_.stencil_across(above, layout_.numbering().beside(coordinate, axis, 1), axis, count),
+        low_.row(0), next.high.row(0));
+    const FaceRow row{here, above, count, axis, layout_.geometry(axis).distance_across(coordinate + 1)};
+    flux_through_row(flow, row, line(place, axis, tile)->high.row(0), low_.row(0), next.flux.row(0),
+                     largest_speed_);
   }
 
   /// Adds up what goes out of the sites of a tile through all their faces.
   template <class Write>
-  void balance_tile(const Problem& problem, const Fields<N>& fields, const Place& place, Index tile,
-                    const Write& write) noexcept {
+  void balance_tile(const Flow& flow, const Place& place, Index tile, const Write& write) noexcept {
     const double* along_row = row_fluxes_[static_cast<std::size_t>(tile)].row(0);
     TileFluxes<D> fluxes{
-        geometry(0).fluxes_along(along_row, along_row + 1, tile * tile_width), {}, sources_.row(0)};
+        layout_.geometry(0).fluxes_along(along_row, along_row + 1, tile * tile_width), {}, sources_.row(0)};
     for (int axis = 1; axis < D; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
       std::unique_ptr<Line>& next = spare_[a - 1];
-      advance_line(problem, fields, place, axis, tile, *next);
+      advance_line(flow, place, axis, tile, *next);
       std::swap(next, line(place, axis, tile));
-      fluxes.across[a - 1] = geometry(axis).fluxes_across(
+      fluxes.across[a - 1] = layout_.geometry(axis).fluxes_across(
           next->flux.row(0), line(place, axis, tile)->flux.row(0), place.site[a]);
     }
     if constexpr (has_walls) {
-      fluxes.along.walls = find_walls(problem, fields, place, 0, tile);
+      fluxes.along.walls = find_walls(flow, place, 0, tile);
       for (int axis = 1; axis < D; ++axis) {
-        fluxes.across[static_cast<std::size_t>(axis - 1)].walls =
-            find_walls(problem, fields, place, axis, tile);
+        fluxes.across[static_cast<std::size_t>(axis - 1)].walls = find_walls(flow, place, axis, tile);
       }
     }
-    if constexpr (HasSource<Law, D>) find_sources(problem, fields, place, tile);
+    if constexpr (HasSource<Law, D>) find_sources(flow, place, tile);
     const Index first = place.start + tile * tile_width;
-    in_packs(count_of(tile), [&](Index begin, Index count) {
-      balance<Parts>(problem.grid, first + begin, count, fluxes.part(begin), write, limits_.data() + begin,
-                     largest_limit_.lanes() + begin);
+    in_packs(layout_.count_of(tile), [&](Index begin, Index count) {
+      balance<Parts>(flow.problem.grid, first + begin, count, fluxes.part(begin), write,
+                     limits_.data() + begin, largest_limit_.lanes() + begin);
     });
-    if (is_looking_for_faults_) look_for_faults(first, count_of(tile));
+    if (is_looking_for_faults_) look_for_faults(first, layout_.count_of(tile));
   }
 
   /// What the walls along `axis` do to the sites of a tile.  Eq. (T65)
-  [[nodiscard]] const double* find_walls(const Problem& problem, const Fields<N>& fields, const Place& place,
-                                         int axis, Index tile) noexcept {
+  [[nodiscard]] const double* find_walls(const Flow& flow, const Place& place, int axis,
+                                         Index tile) noexcept {
     const Index begin = tile * tile_width;
-    const Index end = begin + count_of(tile);
+    const Index end = begin + layout_.count_of(tile);
     double* walls = walls_[static_cast<std::size_t>(axis)].row(0);
     const auto part = [&](Index from, Index to) {
       if (from >= to) return;
-      const Index coordinate = axis == 0 ? from : place.site[static_cast<std::size_t>(axis)];
+      Index coordinate = from;
+      if constexpr (D > 1) coordinate = axis == 0 ? from : place.along(axis);
       const Index here = place.start + from;
-      const WallRow row{numbering_.neighbour(here, coordinate, axis, -1),
+      const WallRow row{layout_.numbering().neighbour(here, coordinate, axis, -1),
                         here,
-                        numbering_.neighbour(here, coordinate, axis, 1),
+                        layout_.numbering().neighbour(here, coordinate, axis, 1),
                         to - from,
                         axis,
-                        geometry(axis).distance_beyond(End::low)};
-      reflect_at_walls(problem, fields, row, walls + (from - begin));
+                        layout_.geometry(axis).distance_beyond(End::low)};
+      reflect_at_walls(flow.problem, flow.fields, row, walls + (from - begin));
     };
     if (axis == 0) {
-      for_each_part(begin, end, part);
+      layout_.for_each_part(begin, end, part);
     } else {
       part(begin, end);
     }
@@ -367,14 +254,14 @@ class SlabSweep {
   }
 
   /// What enters by a source: density x rate.  Eq. (T1)
-  void find_sources(const Problem& problem, const Fields<N>& fields, const Place& place,
-                    Index tile) noexcept {
-    Indices<D> site = site_of(place, tile);
-    for (Index i = 0; i < count_of(tile); ++i, ++site[0]) {
+  void find_sources(const Flow& flow, const Place& place, Index tile) noexcept {
+    Indices<D> site = layout_.site_of(place, tile);
+    for (Index i = 0; i < layout_.count_of(tile); ++i, ++site[0]) {
       const Index here = place.start + site[0];
-      const double density = problem.grid.density(here);
+      const double density = flow.problem.grid.density(here);
       State source{};
-      if (density > 0) source = problem.law.source(fields[here], problem.grid.position(site), time_);
+      if (density > 0)
+        source = flow.problem.law.source(flow.fields[here], flow.problem.grid.position(site), flow.time);
       for (int k = 0; k < N; ++k) sources_.row(k)[i] = density * source[static_cast<std::size_t>(k)];
     }
   }
@@ -385,11 +272,7 @@ class SlabSweep {
     }
   }
 
-  Numbering<D> numbering_;
-  std::vector<Geometry> geometry_;
-  Index first_layer_;
-  Index end_layer_;
-  Index num_tiles_;
+  SlabLayout<Grid> layout_;
   std::vector<Fluxes> row_fluxes_;            // of the row in hand, along it
   std::vector<std::unique_ptr<Line>> lines_;  // of the axes across the rows
   std::array<std::unique_ptr<Line>, static_cast<std::size_t>(D - 1)> spare_;
@@ -401,7 +284,6 @@ class SlabSweep {
   alignas(64) Lanes limits_{};
   Largest largest_limit_{};
   Largest largest_speed_{};
-  double time_ = 0;
   bool is_looking_for_faults_ = false;
   Index first_fault_ = no_site;
 };

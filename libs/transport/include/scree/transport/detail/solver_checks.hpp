@@ -3,6 +3,7 @@
 #include <scree/tensor.hpp>
 
 #include <cstddef>
+#include <optional>
 
 namespace scree::transport::detail {
 
@@ -18,7 +19,7 @@ void require_duration(double duration);
 /// @throws InputError unless the time is finite.
 void require_start_time(double time);
 
-/// @throws RunError if a step is so short that time stands still.
-void require_progress(double dt, double duration);
+/// @throws InputError if a number of steps is given and is not positive.
+void require_max_steps(const std::optional<Index>& max_steps);
 
 }  // namespace scree::transport::detail
