@@ -207,11 +207,9 @@ TEST(Solver, RefusesACflNumberThatItCannotPromise) {
           Cartesian<1>{test::line(10, 0, 1)}, Burgers{}, PiecewiseLinear{Minmod{2}}, SspRk2{}, {.cfl = cfl}};
     });
   };
-  EXPECT_EQ(
-      message(0.56),
-      "Solver: the CFL number is 0.56: must lie in (0, 0.5], as the scheme promises no more");
-  EXPECT_EQ(message(0),
-            "Solver: the CFL number is 0: must lie in (0, 0.5], as the scheme promises no more");
+  EXPECT_EQ(message(0.56),
+            "Solver: the CFL number is 0.56: must lie in (0, 0.5], as the scheme promises no more");
+  EXPECT_EQ(message(0), "Solver: the CFL number is 0: must lie in (0, 0.5], as the scheme promises no more");
   EXPECT_EQ(message(std::nan("")),
             "Solver: the CFL number is nan: must lie in (0, 0.5], as the scheme promises no more");
   EXPECT_EQ(message(0.5), "");

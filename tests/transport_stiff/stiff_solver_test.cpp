@@ -178,9 +178,8 @@ TEST(StiffSolver, RefusesWhatItCannotPromise) {
       StiffSolver{Cartesian<1>{test::line(10, 0, 1)}, test::AdvectionDiffusion{1, 1}, second_order, options};
     });
   };
-  EXPECT_EQ(
-      make({.cfl = 0.56}),
-      "Solver: the CFL number is 0.56: must lie in (0, 0.5], as the scheme promises no more");
+  EXPECT_EQ(make({.cfl = 0.56}),
+            "Solver: the CFL number is 0.56: must lie in (0, 0.5], as the scheme promises no more");
   EXPECT_EQ(make({.relative_tolerance = -1}),
             "ImexIntegrator: relative_tolerance = -1: must be positive and finite");
   EXPECT_EQ(make({.solver = Banded{1, 1}}),

@@ -42,8 +42,8 @@ struct PathRecord {
 std::vector<PathRecord> drive(PathPoint& point, std::span<const Stage> stages,
                               const PathOptions& options = {});
 
-/// The same, with the records put at the end of a list as they are made: those of the steps before one that has
-/// no answer are then there.
+/// The same, with the records put at the end of a list as they are made: those of the steps before one that
+/// has no answer are then there.
 void drive(PathPoint& point, std::span<const Stage> stages, const PathOptions& options,
            std::vector<PathRecord>& records);
 
