@@ -7,7 +7,7 @@ add_custom_target(fast_tests)
 # scree_tests(<name> SOURCES <files> LINK <targets> [LABEL <label>])
 #
 # One test program. Its tests are labelled fast: they run every day, and under the sanitizers. LABEL flow is for
-# those that compute whole flows and run every day in the optimised build only, LABEL verify for those of many
+# those that compute whole flows, or are too dear there, and run every day in the optimised build only, LABEL verify for those of many
 # minutes, which belong to `./dev verify`.
 function(scree_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;LINK")
