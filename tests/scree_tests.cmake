@@ -22,3 +22,18 @@ function(scree_tests name)
   endif()
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 1500)
 endfunction()
+
+# scree_kernel_symbols_test(<library>): the library's kernels for wide instruction sets leave no symbol that the
+# linker could mistake for a copy of other code.
+function(scree_kernel_symbols_test library)
+  foreach(set IN LISTS SCREE_INSTRUCTION_SETS)
+    string(REPLACE "-" "_" namespace ${set})
+    if(NOT set STREQUAL baseline)
+      add_test(NAME KernelSymbols.OfThe_${library}_Library.StayInTheNamespace_${namespace}
+               COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} -DNAMESPACE=${namespace}
+                       "-DOBJECTS=$<TARGET_OBJECTS:scree_${library}_${namespace}>"
+                       -P ${PROJECT_SOURCE_DIR}/tests/kernel_symbols.cmake)
+      set_tests_properties(KernelSymbols.OfThe_${library}_Library.StayInTheNamespace_${namespace} PROPERTIES LABELS fast)
+    endif()
+  endforeach()
+endfunction()
