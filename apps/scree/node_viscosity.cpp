@@ -128,12 +128,13 @@ class ViscousNodes final : public mpm::NodeSolve<D, V> {
 
  private:
   /// What a wall holds of the nodes at `place` along `axis`.
-  void hold(const CartesianGrid<D>& grid, int axis, Index place, const mpm::AnyWall& wall) {
+  void hold(const CartesianGrid<D>& grid, int axis, Index place, const WallScene& wall) {
+    const auto& holding = std::get<mpm::AnyWall>(wall);  // read_scene() admits no friction here
     const Lattice<D> nodes = grid.nodes();
     for (Index node = 0; node < nodes.num_sites(); ++node) {
       if (nodes.site(node)[at(axis)] != place) continue;
       for (int i = 0; i < V; ++i) {
-        const bool holds = std::visit([&](const auto& rule) { return rule.holds(i, axis); }, wall);
+        const bool holds = std::visit([&](const auto& rule) { return rule.holds(i, axis); }, holding);
         if (holds) is_held_[at(node * V + i)] = 1;
       }
     }

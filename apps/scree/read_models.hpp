@@ -16,8 +16,12 @@
 
 namespace scree::app {
 
+/// Laws of materials and of walls alike.
+template <class Law>
+concept IsLaw = rheology::DescribedLaw<Law> || rheology::DescribedWall<Law>;
+
 /// A law from its parameters, each a key of the table.
-template <rheology::DescribedLaw Law>
+template <IsLaw Law>
 void read_model(const io::TomlTable& table, auto& chosen) {
   Law law{};
   for (const auto& parameter : Law::parameters) {

@@ -2,6 +2,7 @@
 #include "scree/chosen.hpp"
 #include "scree/output_fields.hpp"
 #include "scree/read_models.hpp"
+#include "scree/read_walls.hpp"
 #include "scree/scene.hpp"
 
 #include <scree/io/toml_reader.hpp>
@@ -45,24 +46,6 @@ using io::TomlTable;
                 fmt::format("each edge must be a whole number of cells, whose edge is {:g} m", edge));
   }
   return mesh;
-}
-
-[[nodiscard]] std::vector<AxisScene> read_axes(const TomlTable& table, const MeshScene& mesh) {
-  constexpr auto walls = names_of<mpm::AnyWall>();
-  std::vector<std::string_view> kinds{"walls", "periodic"};
-  std::vector<AxisScene> axes;
-  for (const std::string_view axis : axis_names(mesh.dimensions)) {
-    AxisScene scene;
-    scene.is_periodic =
-        table.choice_or("walls", axis, "what ends this axis of the mesh", kinds) == "periodic";
-    if (!scene.is_periodic) {
-      read_named(table, table.choice(fmt::format("{}_low", axis), "wall at the low end", walls), scene.low);
-      read_named(table, table.choice(fmt::format("{}_high", axis), "wall at the high end", walls),
-                 scene.high);
-    }
-    axes.push_back(scene);
-  }
-  return axes;
 }
 
 [[nodiscard]] MaterialScene read_material(const TomlTable& table, const MeshScene& mesh) {
@@ -176,6 +159,8 @@ void read_numerics(const TomlTable& table, Scene& scene) {
   if (viscosity == "auto") scene.viscosity = ViscosityScheme::automatic;
   table.check(viscosity == "explicit" || std::holds_alternative<mpm::Linear>(scene.shape),
               {"viscosity", "shape"}, "viscosity is implicit for shape = \"linear\" only");
+  table.check(viscosity == "explicit" || !has_friction(scene.axes), {"viscosity"},
+              "viscosity is implicit for walls without friction only");
   const io::Bounds share{0, 1, true, false};
   mpm::TimeStepOptions& options = scene.time_step;
   options.acoustic =
@@ -216,14 +201,14 @@ void read_numerics(const TomlTable& table, Scene& scene) {
   Scene scene;
   scene.title = root.string_or("", "title", "what the scene is");
   scene.mesh = read_mesh(root.table("mesh"));
-  scene.axes = read_axes(root.table("boundaries"), scene.mesh);
   scene.material = read_material(root.table("material"), scene.mesh);
   scene.gravity = read_gravity(root.table_or_empty("gravity"));
   read_chosen(root.table("rheology"), "law", "constitutive law", scene.law);
+  if (root.has("grains")) scene.grains = read_grains(root.table("grains"));
+  scene.axes = read_axes(root.table("boundaries"), scene);
   read_numerics(root.table_or_empty("numerics"), scene);
   const TomlTable time = root.table("time");
   scene.end = time.number("end", "simulated time at which the run ends [s]", above(0));
-  if (root.has("grains")) scene.grains = read_grains(root.table("grains"));
   if (root.has("segregation")) {
     scene.segregation = read_segregation(root.table("segregation"));
     if (!root.has("grains")) root.add_fault("segregation", "needs the table [grains]");

@@ -3,11 +3,13 @@
 #include <scree/grainsize/closures.hpp>
 #include <scree/grainsize/distribution.hpp>
 #include <scree/mpm/boundaries.hpp>
+#include <scree/mpm/boundaries/frictional.hpp>
 #include <scree/mpm/carried_cells.hpp>
 #include <scree/mpm/shapes.hpp>
 #include <scree/mpm/time_step.hpp>
 #include <scree/mpm/transfers.hpp>
 #include <scree/rheology/laws.hpp>
+#include <scree/rheology/walls.hpp>
 #include <scree/transport/integrators.hpp>
 #include <scree/transport/limiters.hpp>
 
@@ -16,6 +18,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace scree::app {
@@ -28,11 +31,21 @@ struct MeshScene {
   Index cells = 0;           ///< along y, the normal of the base
 };
 
+/// A wall that resists sliding by a law.
+struct FrictionScene {
+  rheology::AnyWallLaw law;
+  std::vector<double> inputs;  ///< a number per column that the law reads, all over the wall, in its unit
+  mpm::Hold hold = mpm::Hold::pushes;
+};
+
+/// One that holds whole components of velocity, or one with friction.
+using WallScene = std::variant<mpm::AnyWall, FrictionScene>;
+
 /// The two walls of an axis, or none if it is periodic.
 struct AxisScene {
   bool is_periodic = false;
-  mpm::AnyWall low;
-  mpm::AnyWall high;
+  WallScene low;
+  WallScene high;
 };
 
 /// A box of material at rest.

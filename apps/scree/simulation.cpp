@@ -3,6 +3,7 @@
 #include "scree/axes.hpp"
 #include "scree/dimensions.hpp"
 #include "scree/node_viscosity.hpp"
+#include "scree/walls.hpp"
 
 #include <scree/io/bounds.hpp>
 #include <scree/mpm/geostatic.hpp>
@@ -68,8 +69,8 @@ template <int D, int V>
   for (int axis = 0; axis < D; ++axis) {
     const AxisScene& ends = scene.axes[static_cast<std::size_t>(axis)];
     if (ends.is_periodic) continue;
-    stages.boundaries.push_back(mpm::make_wall<D>(ends.low, axis, mpm::Side::low));
-    stages.boundaries.push_back(mpm::make_wall<D>(ends.high, axis, mpm::Side::high));
+    stages.boundaries.push_back(make_boundary<D>(ends.low, axis, mpm::Side::low));
+    stages.boundaries.push_back(make_boundary<D>(ends.high, axis, mpm::Side::high));
   }
   stages.gravity = gravity_of<V>(scene.gravity, D);
   return stages;

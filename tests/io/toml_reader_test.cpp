@@ -67,6 +67,16 @@ kind = "no_slip"
   EXPECT_NO_THROW(file.finish());
 }
 
+TEST(TomlReader, TellsATableFromAValue) {
+  TomlFile file = parse("rough = {law = \"coulomb\"}\nsmooth = \"slip\"\n[inner]\n");
+  const TomlTable root = file.root();
+
+  EXPECT_TRUE(root.is_table("rough"));
+  EXPECT_TRUE(root.is_table("inner"));
+  EXPECT_FALSE(root.is_table("smooth"));
+  EXPECT_FALSE(root.is_table("absent"));
+}
+
 TEST(TomlReader, FallsBackWhereAKeyOrTableIsLeftOut) {
   TomlFile file = parse("");
   const TomlTable solver = file.root().table_or_empty("solver");

@@ -164,6 +164,10 @@ bool TomlTable::has(std::string_view key) const {
   return detail::find(*node_, key) != nullptr;
 }
 
+bool TomlTable::is_table(std::string_view key) const {
+  return has(key) && detail::find(*node_, key)->is_table();
+}
+
 double TomlTable::number(std::string_view key, std::string_view meaning, const Bounds& bounds) const {
   const Question question{*state_, *node_, {key, meaning, "a number", bounds.to_text()}};
   return read_number<double>(question, bounds, {}, no_number);

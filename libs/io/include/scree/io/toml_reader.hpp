@@ -39,6 +39,9 @@ class TomlTable {
  public:
   /// Whether the key is there. It counts as known.
   [[nodiscard]] bool has(std::string_view key) const;
+  /// Whether the key is there and holds a table, for keys that may be either a value or a table. It counts as
+  /// known.
+  [[nodiscard]] bool is_table(std::string_view key) const;
 
   /// A finite number; an integer will do.
   double number(std::string_view key, std::string_view meaning, const Bounds& bounds = any_value()) const;

@@ -1,0 +1,262 @@
+// Walls with friction, by their keys in a scene: every law of the list, and flows with exact solutions.
+
+#include "scenes.hpp"
+#include "scree/simulation.hpp"
+
+#include <scree/mpm/boundaries/wall_lines.hpp>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <typed_lists.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace scree::app::testing {
+namespace {
+
+constexpr double gravity = 9.81;  // [m/s^2]
+constexpr double degree = std::numbers::pi / 180;
+constexpr double depth = 0.1;  // [m]
+
+/// A layer one cell deep down a slope, so viscous that it slides as a block, over the wall of this table.
+[[nodiscard]] Scene block_over(const std::string& wall, double slope_degrees, int dimensions = 1) {
+  const bool is_plane = dimensions == 2;
+  return parse_scene(fmt::format(R"([mesh]
+dimensions = {}
+velocity_components = 2
+size = [{}0.3]
+cells = 3
+[boundaries]
+{}
+y_low = {}
+y_high = "slip"
+[material]
+low = [{}0.0]
+high = [{}0.1]
+points_per_cell = 2
+[gravity]
+slope_degrees = {}
+[rheology]
+law = "newtonian"
+viscosity = 2e4
+bulk_modulus = 1e7
+density = 1000
+[numerics]
+maximum_dt = 1e-4
+[time]
+end = 100
+)",
+                                 dimensions, is_plane ? "0.2, " : "", is_plane ? "x = \"periodic\"" : "",
+                                 wall, is_plane ? "0.0, " : "", is_plane ? "0.2, " : "", slope_degrees),
+                     "scene.toml")
+      .scene;
+}
+
+template <int D>
+void run_until(Simulation<D, 2>& simulation, double time) {
+  while (simulation.clock.time < time) simulation.step();
+}
+
+/// Mass of all points [kg per area beyond D dimensions].
+template <int D>
+[[nodiscard]] double mass_of(const Simulation<D, 2>& simulation) {
+  double sum = 0;
+  for (const double mass : simulation.state.particles.mass.values()) sum += mass;
+  return sum;
+}
+
+/// Mean of a velocity component [m/s].
+template <int D>
+[[nodiscard]] double mean_velocity(const Simulation<D, 2>& simulation, int component) {
+  const auto& particles = simulation.state.particles;
+  double momentum = 0;
+  for (Index p = 0; p < particles.size(); ++p) {
+    momentum += particles.mass.component(0)[p] * particles.velocity.component(component)[p];
+  }
+  return momentum / mass_of(simulation);
+}
+
+template <class Law>
+class EveryWallLaw : public ::testing::Test {};
+TYPED_TEST_SUITE(EveryWallLaw, scree::testing::Each<rheology::AnyWallLaw>, scree::testing::EntryName);
+
+/// The wall's table, of typical parameters; the material rubs as the wall of Coulomb typically does.
+template <class Law>
+[[nodiscard]] std::string typical_table() {
+  std::string table = fmt::format("{{law = \"{}\"", Law::name);
+  for (const auto& parameter : Law::parameters) {
+    table += fmt::format(", {} = {}", parameter.name, parameter.typical);
+  }
+  for (const InputColumn& column : Law::inputs) {
+    table += fmt::format(", {} = {}", column.name, column.unit == "m" ? 0.01 : 0.4);
+  }
+  return table + "}";
+}
+
+TYPED_TEST(EveryWallLaw, SlowsWhatSlidesAndHoldsWhatItCan) {
+  constexpr double steep = 40;  // [degrees]: every law lets go, tan 40 = 0.84
+  Simulation<1, 2> smooth{block_over("\"slip\"", steep), {1}};
+  Simulation<1, 2> rough{block_over(typical_table<TypeParam>(), steep), {1}};
+  Simulation<1, 2> held{block_over(typical_table<TypeParam>(), 5), {1}};  // tan 5 = 0.09
+
+  for (auto* simulation : {&smooth, &rough, &held}) run_until(*simulation, 0.2);
+
+  EXPECT_LT(mean_velocity(rough, 1), 0.95 * mean_velocity(smooth, 1));
+  EXPECT_GT(mean_velocity(rough, 1), 0);
+  // Held, the block creeps as a fluid of its viscosity, below the speed of its surface, rho g sin h^2/(2 mu).
+  EXPECT_LT(mean_velocity(held, 1), 1000 * gravity * std::sin(5 * degree) * depth * depth / (2 * 2e4));
+}
+
+/// Momentum along the wall, and mu times that across, change by the weight alone as soon as the block slides.
+/// It does after h^2/nu = 5e-4 s.
+TEST(CoulombScene, LetsABlockSlideAtItsAcceleration) {  // Eq. (R163)
+  Simulation<1, 2> block{block_over("{law = \"coulomb\", friction = 0.1}", 30), {1}};
+  run_until(block, 0.02);
+  const double start = block.clock.time;
+  const double before = mean_velocity(block, 1) + 0.1 * mean_velocity(block, 0);
+
+  run_until(block, 0.22);
+
+  const double gained = mean_velocity(block, 1) + 0.1 * mean_velocity(block, 0) - before;
+  const double time = block.clock.time - start;
+  const double acceleration = gravity * (std::sin(30 * degree) - 0.1 * std::cos(30 * degree));
+  // 2000 steps of about 100 sums, of speeds up to 1 m/s
+  EXPECT_NEAR(gained, time * acceleration, 2000 * 100 * round_off);
+}
+
+/// v = sqrt(xi h (sin - mu cos)), reached as tanh(t/t_inf); after 12 of these times 2 exp(-24) is left, here
+/// bound by 2 exp(-20) for what the block's own shear takes of them. Density makes h of the mass.
+template <int D>
+void expect_voellmys_terminal_speed() {  // Eq. (R166)
+  constexpr double friction = 0.2;
+  constexpr double turbulence = 10;  // [m/s^2]: so low that the end comes soon
+  Simulation<D, 2> layer{
+      block_over("{law = \"voellmy\", friction = 0.2, turbulence = 10, density = 1000, gravity = 9.81}", 30,
+                 D),
+      {1}};
+  const double slope = std::sin(30 * degree) - friction * std::cos(30 * degree);
+  const double length = D == 2 ? 0.2 : 1;
+  const double terminal = std::sqrt(turbulence * mass_of(layer) / (1000 * length) * slope);
+
+  run_until(layer, 12 * terminal / (gravity * slope));
+
+  const auto axis = static_cast<std::size_t>(D - 1);
+  const int along = D == 1 ? 1 : 0;
+  mpm::for_each_wall_line(
+      layer.state.nodes, axis, mpm::Side::low, [&](double*, const double* wall, double*, Index) {
+        if (wall[mpm::NodeRecord::mass] == 0) return;
+        EXPECT_NEAR(wall[mpm::NodeRecord::momentum + along], terminal, 2 * std::exp(-20) * terminal);
+      });
+}
+
+TEST(VoellmyScene, TakesAColumnToItsTerminalSpeed) {
+  expect_voellmys_terminal_speed<1>();
+}
+
+TEST(VoellmyScene, TakesALayerToItsTerminalSpeed) {
+  expect_voellmys_terminal_speed<2>();
+}
+
+[[nodiscard]] FrictionScene low_wall_of(const std::string& text) {
+  return std::get<FrictionScene>(parse_scene(text, "scene.toml").scene.axes[0].low);
+}
+
+/// The small scene with another base.
+[[nodiscard]] std::string with_base(const std::string& wall) {
+  std::string text = small_scene();
+  const std::string base = "\"no_slip\"";
+  return text.replace(text.find(base), base.size(), wall);
+}
+
+TEST(WallScene, ReadsWhatItsLawReadsFromTheScene) {
+  const std::string law =
+      "law = \"pouliquen_forterre\", mu_1 = 0.3, mu_2 = 0.6, mu_3 = 0.4, beta = 0.1, length_per_size = 2, "
+      "weakening = 1e-3, gravity = 9.81";
+
+  EXPECT_EQ(low_wall_of(with_base("{" + law + "}")).inputs, (std::vector<double>{0.75, 0.75e-3}));
+  EXPECT_EQ(low_wall_of(with_base("{" + law + ", depth = 0.5, grain_size = 0.001}")).inputs,
+            (std::vector<double>{0.5, 0.001}));
+}
+
+TEST(WallScene, IsAsRoughAsTheMaterial) {
+  std::string text = with_base("{law = \"material_friction\", share = 0.5}");
+  const std::string fluid = "law = \"size_dependent_newtonian\"\nviscosity_per_size = 1e6\n";
+  text.replace(text.find(fluid), fluid.size(),
+               "law = \"drucker_prager\"\nfriction = 0.6\nshear_modulus = 1e6\n");
+
+  EXPECT_EQ(low_wall_of(text).inputs, (std::vector<double>{0.6}));
+}
+
+TEST(WallScene, PullsIfTold) {
+  EXPECT_EQ(low_wall_of(with_base("{law = \"coulomb\", friction = 0.4}")).hold, mpm::Hold::pushes);
+  EXPECT_EQ(low_wall_of(with_base("{law = \"coulomb\", friction = 0.4, hold = \"pushes_and_pulls\"}")).hold,
+            mpm::Hold::pushes_and_pulls);
+}
+
+[[nodiscard]] std::string message_of(const std::string& text,
+                                     const std::vector<std::string>& overrides = {}) {
+  try {
+    static_cast<void>(parse_scene(text, "scene.toml", overrides));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(BadWall, UnknownNameIsAnsweredWithTheKnownOnes) {
+  EXPECT_EQ(message_of(with_base("\"rough\"")),
+            "scene.toml:7: [boundaries] y_low = \"rough\": expected one of no_slip, slip, coulomb, "
+            "material_friction, pouliquen_forterre, voellmy (wall at the low end)");
+  EXPECT_EQ(message_of(with_base("{law = \"no_slip\"}")),
+            "scene.toml:7: [boundaries.y_low] law = \"no_slip\": expected one of coulomb, material_friction, "
+            "pouliquen_forterre, voellmy (friction of the wall)");
+}
+
+TEST(BadWall, FrictionWithoutParametersIsShownItsTable) {
+  EXPECT_EQ(message_of(with_base("\"coulomb\"")),
+            "scene.toml:7: [boundaries] y_low = \"coulomb\": a wall with friction is a table: y_low = {law = "
+            "\"coulomb\", friction = ..}");
+}
+
+TEST(BadWall, MissingAndUnknownKeysAreNamed) {
+  EXPECT_EQ(
+      message_of(with_base("{law = \"coulomb\", fricton = 0.4}")),
+      "scene.toml:7: [boundaries.y_low] friction: missing, expected a number (shear traction over normal "
+      "pressure [-])\n"
+      "scene.toml:7: [boundaries.y_low] fricton: unknown key, did you mean 'friction'?");
+}
+
+TEST(BadWall, ValueOutOfRangeIsNamed) {
+  EXPECT_EQ(
+      message_of(with_base("{law = \"coulomb\", friction = -0.4}")),
+      "scene.toml:7: [boundaries.y_low] friction = -0.4: must be at least 0 (shear traction over normal "
+      "pressure [-])");
+  EXPECT_EQ(message_of(with_base("{law = \"coulomb\", friction = 0.4}"), {"boundaries.y_low.friction=nan"}),
+            "--set boundaries.y_low.friction=nan: must be finite (shear traction over normal pressure [-])");
+}
+
+TEST(BadWall, ParametersThatContradictEachOtherAreNamed) {
+  EXPECT_EQ(message_of(with_base("{law = \"pouliquen_forterre\", mu_1 = 0.4, mu_2 = 0.3, mu_3 = 0.5, beta = "
+                                 "0.1, length_per_size = 2, weakening = 1e-3, gravity = 9.81}")),
+            "scene.toml:7: [boundaries.y_low] mu_2 = 0.3: must exceed mu_1 = 0.4");
+}
+
+TEST(BadWall, InputThatTheSceneDoesNotHaveIsMissing) {
+  EXPECT_EQ(message_of(with_base("{law = \"material_friction\", share = 0.5}")),
+            "scene.toml:7: [boundaries.y_low] friction: missing, expected a number (what the law of the wall "
+            "reads [-])");
+  EXPECT_EQ(
+      message_of(with_base("{law = \"material_friction\", share = 0.5, friction = 0}")),
+      "scene.toml:7: [boundaries.y_low] friction = 0: must exceed 0 (what the law of the wall reads [-])");
+}
+
+TEST(BadWall, ImplicitViscosityKnowsNoFriction) {
+  EXPECT_EQ(
+      message_of(with_base("{law = \"coulomb\", friction = 0.4}") + "[numerics]\nviscosity = \"auto\"\n"),
+      "scene.toml:27: [numerics] viscosity = \"auto\": viscosity is implicit for walls without friction "
+      "only");
+}
+
+}  // namespace
+}  // namespace scree::app::testing
