@@ -31,9 +31,9 @@ struct Fluid {
     const Tensor<Real> viscous = 2 * viscosity * deviator(symmetric_part(deformation.velocity_gradient));
     return {viscous - isotropic(pressure), {}};
   }
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
-                                    const Input<double>& /*input*/,
-                                    const State<double>& /*state*/) const noexcept {
+  [[nodiscard]] Stiffness<double> stiffness(const Deformation<double>& /*deformation*/,
+                                            const Input<double>& /*input*/,
+                                            const State<double>& /*state*/) const noexcept {
     return {std::sqrt(bulk_modulus / reference_density), viscosity};
   }
 };

@@ -33,8 +33,9 @@ struct Coarse {
     return {viscous - isotropic(pressure),
             {old.shear_strain + dt * shear_rate(deformation.velocity_gradient)}};
   }
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/, const Input<double>& input,
-                                    const State<double>& /*state*/) const noexcept {
+  [[nodiscard]] Stiffness<double> stiffness(const Deformation<double>& /*deformation*/,
+                                            const Input<double>& input,
+                                            const State<double>& /*state*/) const noexcept {
     return {1, input.grain_size};
   }
 };

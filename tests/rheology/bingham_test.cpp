@@ -81,7 +81,7 @@ TEST(Bingham, MakesThePlugOfTheInclinedLayer) {
 /// What the regularisation costs: the viscosity of the creep bounds the step, here 134 times shorter.
 TEST(Bingham, ExplicitStepsBlowUpAboveTheLimitOfTheCreep) {  // Eqs. (R7), (R9)
   const double dx = 0.02;                                    // [m]
-  const double limit = law.density * dx * dx / (2 * law.stiffness({}, {}, {}).viscosity);
+  const double limit = law.density * dx * dx / (2 * law.stiffness(Deformation<double>{}, {}, {}).viscosity);
   const double speed = 1e-12;  // [m/s]
   // The viscosity is less by x/2, and with it each of the 100 factors by x at most; x <= m 2 v/dx at its end.
   const double x = 100 * 2 * speed / dx * std::pow(1.02, 100);

@@ -145,7 +145,7 @@ TEST(GranularElastoviscoplastic, HasNoViscousLimitOfTheStep) {  // Eq. (R21)
   const double wave = std::sqrt(law.shear_modulus / law.density);
   const double dt = 0.9 * dx / wave;
   const MuOfI fluid = typical<MuOfI>();
-  const double viscosity = fluid.stiffness({{}, dense}, {1e-3}, {}).viscosity;
+  const double viscosity = fluid.stiffness(Deformation<double>{{}, dense}, {1e-3}, {}).viscosity;
   const double viscous_limit = law.density * dx * dx / (2 * viscosity);
   EXPECT_GT(dt, 1e3 * viscous_limit);  // which is that of the fluid with the same friction
 

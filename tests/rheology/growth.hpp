@@ -56,7 +56,7 @@ template <class Law>
   const auto along = [](const auto& a, const auto& b) { return a[0] * b[0] + a[1] * b[1]; };
   const double resistance =
       along(w, by_velocity) - along(w, by_pressure) * along(xi, by_velocity) / along(xi, by_pressure);
-  return resistance / law.stiffness({base, density}, {1e-3}, {}).viscosity;
+  return resistance / law.stiffness(Deformation<double>{base, density}, {1e-3}, {}).viscosity;
 }
 
 /// The direction in which disturbances are least resisted [rad].

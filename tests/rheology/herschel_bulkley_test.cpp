@@ -68,7 +68,7 @@ TEST(HerschelBulkley, FlowsDownAnInclineAsAPowerLawFluidDoes) {
 TEST(HerschelBulkley, ExplicitStepsBlowUpAboveTheLimitAtRest) {  // Eqs. (R7), (R10)
   const HerschelBulkley fluid = mud(0.5);
   const double at_rest = 100 * std::sqrt(100.0) + 50 * 100;  // K m^(1-n) + tau_y m
-  EXPECT_NEAR(fluid.stiffness({}, {}, {}).viscosity, at_rest, 10 * round_off * at_rest);
+  EXPECT_NEAR(fluid.stiffness(Deformation<double>{}, {}, {}).viscosity, at_rest, 10 * round_off * at_rest);
   const double dx = 0.02;  // [m]
   const double limit = fluid.density * dx * dx / (2 * at_rest);
   const double speed = 1e-12;  // [m/s]

@@ -172,7 +172,8 @@ TEST(KineticTheory, HasTheSpeedOfSoundOfItsOwnCompression) {  // Eq. (R108)
   const double strain = 1e-5;
   for (const double phi : fractions) {
     Point<KineticTheory> point{elastic};
-    const double sound = elastic.stiffness({{}, density_of(phi)}, {d}, point.state).wave_speed;
+    const double sound =
+        elastic.stiffness(Deformation<double>{{}, density_of(phi)}, {d}, point.state).wave_speed;
     point.step({}, density_of(phi), 0, d);
     const double before = -point.stress(0, 0);
 
@@ -184,10 +185,11 @@ TEST(KineticTheory, HasTheSpeedOfSoundOfItsOwnCompression) {  // Eq. (R108)
     const double gap = law.close_packing - phi;
     EXPECT_NEAR(squared, sound * sound, 4 * strain / gap * sound * sound) << phi;
   }
-  const double dilute = law.stiffness({{}, density_of(1e-9)}, {d}, {1}).wave_speed;
+  const double dilute = law.stiffness(Deformation<double>{{}, density_of(1e-9)}, {d}, {1}).wave_speed;
   KineticTheory sound = law;
   sound.restitution = 1;
-  EXPECT_NEAR(sound.stiffness({{}, density_of(1e-9)}, {d}, {1}).wave_speed, std::sqrt(5.0 / 3), 1e-7);
+  EXPECT_NEAR(sound.stiffness(Deformation<double>{{}, density_of(1e-9)}, {d}, {1}).wave_speed,
+              std::sqrt(5.0 / 3), 1e-7);
   EXPECT_NEAR(dilute, std::sqrt(5.0 / 3), 1e-7);  // inelastic collisions are too rare to matter
 }
 
@@ -288,7 +290,7 @@ TEST(KineticTheory, IsUnstableWhenItCoolsInALongPeriod) {  // Eq. (R109)
 /// the gap; beyond, the law says that it has no solution.
 TEST(KineticTheory, EndsAtClosePacking) {
   const auto viscosity_at = [](double gap) {
-    return law.stiffness({{}, density_of(law.close_packing - gap)}, {d}, {1e-4}).viscosity;
+    return law.stiffness(Deformation<double>{{}, density_of(law.close_packing - gap)}, {d}, {1e-4}).viscosity;
   };
   EXPECT_NEAR(viscosity_at(1e-6) / viscosity_at(1e-5), 10, 1e-3);  // regular parts are a gap smaller
   for (const double phi : {0.64, 0.7}) {

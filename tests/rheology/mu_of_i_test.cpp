@@ -108,7 +108,8 @@ TEST(MuOfI, PaysForItsFloorWhatIsSaid) {  // Eq. (R14)
   const double p = pressure(density, law.density, law.bulk_modulus);
   const double i = inertial_number(law.shear_rate_floor, 1e-3, p, law.grain_density);
   const double at_rest = law.friction(i) * p / law.shear_rate_floor;
-  EXPECT_NEAR(law.stiffness({{}, density}, {1e-3}, {}).viscosity, at_rest, 20 * round_off * at_rest);
+  EXPECT_NEAR(law.stiffness(Deformation<double>{{}, density}, {1e-3}, {}).viscosity, at_rest,
+              20 * round_off * at_rest);
 }
 
 /// The published ranges: 0.01935 < I < 0.8523, and from 0.00397 with the other set of parameters.

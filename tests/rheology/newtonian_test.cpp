@@ -29,7 +29,7 @@ TEST(Newtonian, BearsNoTension) {  // Eq. (R5)
 }
 
 TEST(Newtonian, TellsItsStiffness) {  // Eq. (R2)
-  const auto stiffness = law.stiffness({}, {}, {});
+  const auto stiffness = law.stiffness(Deformation<double>{}, {}, {});
 
   EXPECT_EQ(stiffness.wave_speed, 100);
   EXPECT_EQ(stiffness.viscosity, 750);
@@ -37,7 +37,7 @@ TEST(Newtonian, TellsItsStiffness) {  // Eq. (R2)
 
 TEST(Newtonian, ExplicitStepsBlowUpAboveTheViscousLimit) {  // Eq. (R7)
   const double dx = 0.02;                                   // [m]
-  const double limit = law.density * dx * dx / (2 * law.stiffness({}, {}, {}).viscosity);
+  const double limit = law.density * dx * dx / (2 * law.stiffness(Deformation<double>{}, {}, {}).viscosity);
 
   // A step of f times the limit multiplies the zigzag by 1 - 2 f: by -0.98 and by -1.02.
   // Each of the 100 steps makes some ten roundings.

@@ -29,7 +29,7 @@ class ShearBox {
     const double angle = least_resisted_angle(law, inertial_number);
     xi_ = {std::cos(angle), std::sin(angle)};
     w_ = {-xi_[1], xi_[0]};
-    const double viscosity = law.stiffness({base_, density_}, {1e-3}, {}).viscosity;
+    const double viscosity = law.stiffness(Deformation<double>{base_, density_}, {1e-3}, {}).viscosity;
     // Of the shortest wave that the mesh has, whose second difference is -4/dx^2.
     rate_ =
         -resistance_along(law, inertial_number, angle) * viscosity * 4 / (law.density * spacing_ * spacing_);

@@ -31,8 +31,9 @@ TEST(SizeDependentNewtonian, CoarseGrainsTwiceAsLargeShearHalfAsFast) {  // Eq. 
 }
 
 TEST(SizeDependentNewtonian, HasTheViscosityOfThePapersFlow) {  // 750 Pa s at 0.5 and 1 mm, half and half
-  EXPECT_NEAR(law.stiffness({}, {0.00075}, {}).viscosity, 750, 2 * round_off * 750);  // the size, the product
-  EXPECT_EQ(law.stiffness({}, {0.00075}, {}).wave_speed, 100);
+  EXPECT_NEAR(law.stiffness(Deformation<double>{}, {0.00075}, {}).viscosity, 750,
+              2 * round_off * 750);  // the size, the product
+  EXPECT_EQ(law.stiffness(Deformation<double>{}, {0.00075}, {}).wave_speed, 100);
 }
 
 }  // namespace

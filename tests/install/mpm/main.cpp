@@ -24,8 +24,9 @@ struct Dust {
                                             Real /*dt*/) const noexcept {
     return {};
   }
-  scree::Stiffness stiffness(const scree::Deformation<double>& /*deformation*/,
-                             const Input<double>& /*input*/, const State<double>& /*state*/) const noexcept {
+  scree::Stiffness<double> stiffness(const scree::Deformation<double>& /*deformation*/,
+                                     const Input<double>& /*input*/,
+                                     const State<double>& /*state*/) const noexcept {
     return {0, 0};
   }
 };

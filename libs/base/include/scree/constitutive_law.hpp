@@ -41,12 +41,13 @@ struct StateColumn {
 };
 
 /// What bounds an explicit step: the law's own speeds, viscosities and rates, at one point.
+template <class Real>
 struct Stiffness {
-  double wave_speed;  ///< of pressure waves [m/s]
-  double viscosity;   ///< effective dynamic viscosity [Pa s]
+  Real wave_speed;  ///< of pressure waves [m/s]
+  Real viscosity;   ///< effective dynamic viscosity [Pa s]
   /// Fastest rate at which the law's memory changes without being solved for [1/s]: the step that the law
   /// suggests is its inverse.
-  double relaxation_rate = 0;
+  Real relaxation_rate{};
 };
 
 /// The contract of mpm (which calls) and rheology (which supplies): a value type of parameters with a pure
@@ -65,7 +66,7 @@ concept ConstitutiveLaw = std::is_trivially_copyable_v<Law> &&
   { law.update(deformation, input, state, dt) }
   noexcept->std::same_as<Response<double, typename Law::template State<double>>>;
   { law.stiffness(deformation, input, state) }
-  noexcept->std::same_as<Stiffness>;
+  noexcept->std::same_as<Stiffness<double>>;
 };
 
 }  // namespace scree

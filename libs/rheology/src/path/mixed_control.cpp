@@ -88,7 +88,7 @@ struct Scales {
   }
   const Tensor<double> imposed = velocity_gradient(
       request.controls, Unknowns::Zero(static_cast<Eigen::Index>(num_unknowns(request.controls))));
-  const Stiffness stiffness = point.stiffness({imposed, point.now.density});
+  const Stiffness<double> stiffness = point.stiffness({imposed, point.now.density});
   const double modulus = point.now.density * stiffness.wave_speed * stiffness.wave_speed;  // [Pa]
   constexpr double operations = 100;  // on strains, numbers of order one, in the stress of a law
   scales.tolerance = relative * scales.stress + operations * round_off * modulus;

@@ -240,7 +240,7 @@ class StressUpdateBy final : public StressUpdate<D, V> {
 
   void widen(BlockStiffness& worst, const Deformation<double>& deformation, const Input& input,
              const State& state) const noexcept {
-    const Stiffness here = law_.stiffness(deformation, input, state);
+    const Stiffness<double> here = law_.stiffness(deformation, input, state);
     worst.wave_speed = std::max(worst.wave_speed, here.wave_speed);
     worst.kinematic_viscosity = std::max(worst.kinematic_viscosity, here.viscosity / deformation.density);
     worst.relaxation_rate = std::max(worst.relaxation_rate, here.relaxation_rate);

@@ -31,9 +31,12 @@ template <class Real>
 }
 
 /// Its derivative by the solid fraction [-].
-[[nodiscard]] inline double contact_value_slope(double phi, double close_packing) noexcept {
-  if (phi < freezing_fraction) return (5 - 2 * phi) / (2 * std::pow(1 - phi, 4));
-  return contact_value(phi, close_packing) / (close_packing - phi);
+template <class Real>
+[[nodiscard]] constexpr Real contact_value_slope(const Real& phi, double close_packing) noexcept {
+  const Real squared_gap = (1.0 - phi) * (1.0 - phi);
+  const Real fluid = (5.0 - 2.0 * phi) / (2.0 * (squared_gap * squared_gap));
+  return select(phi < freezing_fraction, fluid,
+                Real(contact_value(phi, close_packing) / (close_packing - phi)));
 }
 
 /// What collisions make of a granular temperature T, as functions of the solid fraction.  Eqs. (R100), (R102)

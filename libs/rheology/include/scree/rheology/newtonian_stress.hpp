@@ -23,8 +23,10 @@ template <class Real>
 
 /// Speed of pressure waves sqrt(dp/drho) [m/s].  Eq. (R2)
 /// @param reference_density rho_0 [kg/m^3]  @param bulk_modulus K [Pa]
-[[nodiscard]] inline double wave_speed(double reference_density, double bulk_modulus) noexcept {
-  return std::sqrt(bulk_modulus / reference_density);
+template <class Real>
+[[nodiscard]] Real wave_speed(const Real& reference_density, const Real& bulk_modulus) noexcept {
+  using std::sqrt;
+  return sqrt(bulk_modulus / reference_density);
 }
 
 /// Stress of a fluid that resists compression and shear, but no tension [Pa]: -p 1 + 2 mu D' while p >= 0,

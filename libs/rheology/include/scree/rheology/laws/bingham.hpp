@@ -58,8 +58,9 @@ struct Bingham {
   }
 
   /// Wave speed [m/s], Eq. (R2), and viscosity at this rate [Pa s].
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& deformation, const Input<double>& /*input*/,
-                                    const State<double>& /*state*/) const noexcept {
+  template <class Real>
+  [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& deformation, const Input<Real>& /*input*/,
+                                          const State<Real>& /*state*/) const noexcept {
     return {wave_speed(density, bulk_modulus), viscosity_at(shear_rate(deformation.velocity_gradient))};
   }
 };

@@ -115,11 +115,12 @@ struct Breakage {
   }
 
   /// Speed of pressure waves [m/s] of the elastic material, as broken as it is, and no viscosity.  Eq. (R21)
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
-                                    const Input<double>& /*input*/,
-                                    const State<double>& state) const noexcept {
-    const double softened = 1 - grading * state.breakage;
-    return {wave_speed(density, softened * (bulk_modulus + 4 * shear_modulus / 3)), 0};
+  template <class Real>
+  [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& /*deformation*/,
+                                          const Input<Real>& /*input*/,
+                                          const State<Real>& state) const noexcept {
+    const Real softened = 1.0 - grading * state.breakage;
+    return {wave_speed(Real(density), Real(softened * (bulk_modulus + 4 * shear_modulus / 3))), Real(0.0)};
   }
 
  private:

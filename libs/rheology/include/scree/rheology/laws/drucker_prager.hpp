@@ -82,9 +82,10 @@ struct DruckerPrager {
   }
 
   /// Speed of pressure waves [m/s] of the unloaded material, and no viscosity.  Eq. (R21)
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
-                                    const Input<double>& /*input*/,
-                                    const State<double>& /*state*/) const noexcept {
+  template <class Real>
+  [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& /*deformation*/,
+                                          const Input<Real>& /*input*/,
+                                          const State<Real>& /*state*/) const noexcept {
     return {wave_speed(density, bulk_modulus + 4 * shear_modulus / 3), 0};
   }
 };

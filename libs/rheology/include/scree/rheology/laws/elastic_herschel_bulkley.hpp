@@ -77,9 +77,10 @@ struct ElasticHerschelBulkley {
 
   /// Speed of pressure waves [m/s], Eq. (R21). No viscosity bounds a step, for flow only lowers what the
   /// elastic solid would answer.
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
-                                    const Input<double>& /*input*/,
-                                    const State<double>& /*state*/) const noexcept {
+  template <class Real>
+  [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& /*deformation*/,
+                                          const Input<Real>& /*input*/,
+                                          const State<Real>& /*state*/) const noexcept {
     return {wave_speed(density, bulk_modulus + 4 * shear_modulus / 3), 0};
   }
 

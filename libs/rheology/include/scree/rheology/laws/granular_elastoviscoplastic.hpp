@@ -81,9 +81,10 @@ struct GranularElastoviscoplastic {
 
   /// Speed of pressure waves [m/s], Eq. (R21). The viscosity that bounds a step is zero: over a step the
   /// stress changes by at most 2 G D' dt, however slowly the flow would relax it.
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
-                                    const Input<double>& /*input*/,
-                                    const State<double>& /*state*/) const noexcept {
+  template <class Real>
+  [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& /*deformation*/,
+                                          const Input<Real>& /*input*/,
+                                          const State<Real>& /*state*/) const noexcept {
     return {wave_speed(density, bulk_modulus + 4 * shear_modulus / 3), 0};
   }
 

@@ -99,17 +99,19 @@ struct KineticTheory {
 
   /// Speed of sound without loss of energy [m/s], Eq. (R108), and viscosity of a plane wave of pressure
   /// [Pa s], which is larger than that of shear.
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& deformation, const Input<double>& input,
-                                    const State<double>& state) const noexcept {
-    const double phi = deformation.density / grain_density;
-    const CollisionalFactors<double> f = factors(deformation.density);
-    const double g = contact_value(phi, close_packing);
-    const double slope =
-        1 + 2 * (1 + restitution) * phi * (2 * g + phi * contact_value_slope(phi, close_packing));
-    const double squared = state.temperature * (slope + 2.0 / 3 * f.pressure * f.pressure / (phi * phi));
-    const double viscosity = grain_density * input.grain_size * std::sqrt(state.temperature) *
-                             (f.bulk_viscosity + 4.0 / 3 * f.viscosity);
-    return {std::sqrt(squared), viscosity};
+  template <class Real>
+  [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& deformation, const Input<Real>& input,
+                                          const State<Real>& state) const noexcept {
+    using std::sqrt;
+    const Real phi = deformation.density * (1 / grain_density);
+    const CollisionalFactors<Real> f = factors(deformation.density);
+    const Real g = contact_value(phi, close_packing);
+    const Real slope =
+        1.0 + 2 * (1 + restitution) * phi * (2.0 * g + phi * contact_value_slope(phi, close_packing));
+    const Real squared = state.temperature * (slope + 2.0 / 3 * f.pressure * f.pressure / (phi * phi));
+    const Real viscosity = grain_density * input.grain_size * sqrt(state.temperature) *
+                           (f.bulk_viscosity + 4.0 / 3 * f.viscosity);
+    return {sqrt(squared), viscosity};
   }
 };
 static_assert(DescribedLaw<KineticTheory>);

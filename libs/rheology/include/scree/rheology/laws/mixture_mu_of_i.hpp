@@ -93,9 +93,10 @@ struct MixtureMuOfI {
   }
 
   /// Wave speed [m/s], Eq. (R2), and viscosity of this mix at this rate and pressure [Pa s].
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& deformation, const Input<double>& input,
-                                    const State<double>& /*state*/) const noexcept {
-    const double p = pressure(deformation.density, density, bulk_modulus);
+  template <class Real>
+  [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& deformation, const Input<Real>& input,
+                                          const State<Real>& /*state*/) const noexcept {
+    const Real p = pressure(deformation.density, density, bulk_modulus);
     return {wave_speed(density, bulk_modulus), viscosity_at(deformation.velocity_gradient, input, p)};
   }
 

@@ -117,13 +117,17 @@ struct ModifiedCamClay {
   }
 
   /// Speed of pressure waves [m/s], of the elastic material at its pressure.  Eq. (R62)
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& deformation, const Input<double>& /*input*/,
-                                    const State<double>& state) const noexcept {
-    const double compression = deformation.density / density;
-    const double u = overconsolidation(compression, state.preconsolidation);
-    const double p_c = preconsolidation_pressure * state.preconsolidation;
-    const double p = p_c * std::exp(-(u < 0 ? kappa / lambda * u : u));  // not beyond normal compression
-    return {wave_speed(deformation.density, p / kappa + 4 * shear_modulus * compression / 3), 0};
+  template <class Real>
+  [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& deformation, const Input<Real>& /*input*/,
+                                          const State<Real>& state) const noexcept {
+    using std::exp;
+    const Real compression = deformation.density * (1 / density);
+    const Real u = overconsolidation(compression, state.preconsolidation);
+    const Real p_c = preconsolidation_pressure * state.preconsolidation;
+    const Real p =
+        p_c * exp(-select(u < 0.0, Real((kappa / lambda) * u), u));  // not beyond normal compression
+    return {wave_speed(deformation.density, Real(p * (1 / kappa) + (4 * shear_modulus / 3) * compression)),
+            Real(0.0)};
   }
 
  private:

@@ -50,8 +50,9 @@ struct SizeDependentNewtonian {
   }
 
   /// Wave speed [m/s], Eq. (R2), and viscosity [Pa s], Eq. (R4).
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/, const Input<double>& input,
-                                    const State<double>& /*state*/) const noexcept {
+  template <class Real>
+  [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& /*deformation*/, const Input<Real>& input,
+                                          const State<Real>& /*state*/) const noexcept {
     return {wave_speed(density, bulk_modulus), viscosity_per_size * input.grain_size};
   }
 };

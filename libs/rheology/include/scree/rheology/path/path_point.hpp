@@ -43,7 +43,8 @@ class PathPoint {
   /// Takes that step: the memory is then that of its end.
   virtual void remember(const Deformation<double>& deformation, double dt) noexcept = 0;
   /// Of the point as it is.
-  [[nodiscard]] virtual Stiffness stiffness(const Deformation<double>& deformation) const noexcept = 0;
+  [[nodiscard]] virtual Stiffness<double> stiffness(
+      const Deformation<double>& deformation) const noexcept = 0;
   /// I [-], Eq. (R12), at the present pressure; NaN for a law without grains or a point without pressure.
   [[nodiscard]] virtual double inertial_number(const Deformation<double>& deformation) const noexcept = 0;
   /// C [-], Eq. (R15); NaN for a law that has none.
@@ -95,7 +96,7 @@ class PathPointOf final : public PathPoint {
     state_ = law_.update(deformation, input_, state_, dt).state;
   }
 
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& deformation) const noexcept override {
+  [[nodiscard]] Stiffness<double> stiffness(const Deformation<double>& deformation) const noexcept override {
     return law_.stiffness(deformation, input_, state_);
   }
 
