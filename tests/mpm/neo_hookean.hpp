@@ -57,9 +57,9 @@ struct NeoHookean {
         F.yx + dt * (L(1, 0) * F.xx + L(1, 1) * F.yx), F.yy + dt * (L(1, 0) * F.xy + L(1, 1) * F.yy)};
     return {stress(next), next};
   }
-  [[nodiscard]] Stiffness stiffness(const Deformation<double>& /*deformation*/,
-                                    const Input<double>& /*input*/,
-                                    const State<double>& /*state*/) const noexcept {
+  [[nodiscard]] Stiffness<double> stiffness(const Deformation<double>& /*deformation*/,
+                                            const Input<double>& /*input*/,
+                                            const State<double>& /*state*/) const noexcept {
     return {wave_speed(), 0};
   }
 };
