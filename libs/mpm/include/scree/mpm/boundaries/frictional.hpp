@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/error.hpp>
+#include <scree/mpm/boundaries/hold.hpp>
 #include <scree/mpm/boundaries/wall_lines.hpp>
 #include <scree/mpm/boundary.hpp>
 #include <scree/wall_law.hpp>
@@ -8,12 +9,6 @@
 #include <memory>
 
 namespace scree::mpm {
-
-/// Whether material may leave a wall.
-enum class Hold {
-  pushes,           ///< it may: the wall pushes and does not pull
-  pushes_and_pulls  ///< it may not: no velocity through the wall either way
-};
 
 /// A plane wall on an end of the mesh that resists sliding by a friction law. Shape functions that reach past
 /// it are cut off so that they still add up to one and to linear fields: what an image node would get goes to
