@@ -38,7 +38,7 @@ struct PathRecord {
 /// @returns a record for the start and for the end of each step.
 /// @throws InputError if a stage or an option will not do.
 /// @throws RunError naming law, stage, time, component, and the stress wanted and reached, if a step has no
-/// answer; the point is then as it was before that step.
+/// answer that it can be led to; the point is then as it was before that step.
 std::vector<PathRecord> drive(PathPoint& point, std::span<const Stage> stages,
                               const PathOptions& options = {});
 
