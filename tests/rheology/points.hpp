@@ -72,6 +72,8 @@ template <class Law>
 [[nodiscard]] double rounding_of_strain(const Law& law) {
   if constexpr (requires { law.shear_modulus; }) {
     return 60 * round_off * 2 * law.shear_modulus;
+  } else if constexpr (requires(typename Law::template State<double> state) { state.unloaded_volume; }) {
+    return 60 * round_off * law.bulk_modulus;  // the pressure is that of a difference of volumes
   } else {
     return 0;
   }

@@ -2,6 +2,7 @@
 
 #include <scree/rheology/laws/bingham.hpp>
 #include <scree/rheology/laws/breakage.hpp>
+#include <scree/rheology/laws/compressible_mu_of_i.hpp>
 #include <scree/rheology/laws/drucker_prager.hpp>
 #include <scree/rheology/laws/elastic_herschel_bulkley.hpp>
 #include <scree/rheology/laws/granular_elastoviscoplastic.hpp>
@@ -11,6 +12,7 @@
 #include <scree/rheology/laws/modified_cam_clay.hpp>
 #include <scree/rheology/laws/mohr_coulomb.hpp>
 #include <scree/rheology/laws/mu_of_i.hpp>
+#include <scree/rheology/laws/mu_phi_of_i.hpp>
 #include <scree/rheology/laws/newtonian.hpp>
 #include <scree/rheology/laws/regularised_mu_of_i.hpp>
 #include <scree/rheology/laws/size_dependent_newtonian.hpp>
@@ -22,9 +24,9 @@ namespace scree::rheology {
 
 /// Every constitutive law. A new one is a line here: scenes can then name it, and every property test runs
 /// on it.
-using AnyLaw =
-    std::variant<Bingham, Breakage, DruckerPrager, ElasticHerschelBulkley, GranularElastoviscoplastic,
-                 HerschelBulkley, KineticTheory, MixtureMuOfI, ModifiedCamClay, MohrCoulomb, MuOfI, Newtonian,
-                 RegularisedMuOfI, SizeDependentNewtonian, Suspension>;
+using AnyLaw = std::variant<Bingham, Breakage, CompressibleMuOfI, DruckerPrager, ElasticHerschelBulkley,
+                            GranularElastoviscoplastic, HerschelBulkley, KineticTheory, MixtureMuOfI,
+                            ModifiedCamClay, MohrCoulomb, MuOfI, MuPhiOfI, Newtonian, RegularisedMuOfI,
+                            SizeDependentNewtonian, Suspension>;
 
 }  // namespace scree::rheology
