@@ -22,7 +22,7 @@ class MirrorWall final : public Boundary<D> {
     for_each_wall_line(nodes, axis_, side_, [&](double*, double* wall, double*, Index) {
       for (int i = 0; i < layout.num_velocities; ++i) {
         if (!Rule::holds(i, static_cast<int>(axis_))) continue;
-        if (layout.has_increment) wall[layout.increment() + i] -= wall[NodeRecord::momentum + i];
+        if (layout.has_increment) wall[layout.increment() + i] = 0;
         wall[NodeRecord::momentum + i] = 0;
       }
     });

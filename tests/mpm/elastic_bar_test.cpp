@@ -1,0 +1,157 @@
+// Waves in an elastic bar: what each scheme makes of them, exactly, and the speed and loss that follow.
+
+#include "elastic_bar.hpp"
+
+#include "schemes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace scree::mpm {
+namespace {
+
+struct NamedScheme {
+  const char* name;
+  AnyShape shape;
+  AnyTransfer rule;
+  /// A wave of k h is too slow by this share of (k h)^2, two points a cell.  Eq. (M66)
+  double lag;
+};
+const std::array<NamedScheme, 4> lasting_schemes{
+    NamedScheme{"linear apic", Linear{}, Apic{}, 1.0 / 24},
+    NamedScheme{"linear flip", Linear{}, PicFlip{1}, 1.0 / 24 + 3.0 / 32},
+    NamedScheme{"quadratic apic", Quadratic{}, Apic{}, 0.16796875 / 1.5 - 0.046875 * 0.046875 / 0.5},
+    NamedScheme{"quadratic flip", Quadratic{}, PicFlip{1}, 0.8125 / 6 + 1.0 / 8}};
+
+TEST(ElasticBar, FollowsTheRecursionOfItsStepUnderEveryScheme) {  // Eq. (M65)
+  constexpr int num_steps = 200;
+  for (const AnyShape& shape : every<AnyShape>()) {
+    for (const AnyTransfer& rule :
+         {AnyTransfer{Apic{}}, AnyTransfer{PicFlip{1}}, AnyTransfer{PicFlip{0.9}}}) {
+      for (const int half_waves : {1, 2, 5}) {
+        const BarWave wave{shape, rule, 12, half_waves, 0.4};
+        WaveRecursion exact{wave};
+        BarInTheMesh bar{wave};
+
+        for (int n = 0; n < num_steps; ++n) {
+          exact.advance();
+          bar.advance();
+        }
+
+        // Points move by `velocity` of a cell in each step, which changes the weights as much; F is rounded
+        // against strains of `velocity`.
+        const double tolerance = num_steps * (BarWave::velocity + 8 * round_off / BarWave::velocity);
+        bar.for_each_point([&](double x, double v) { EXPECT_NEAR(v, exact.velocity_at(x), tolerance); });
+      }
+    }
+  }
+}
+
+/// Angular frequency of a wave over that of theory, from the time of its last of `num_zeros` zeros [-].
+double frequency(const BarWave& wave, int num_zeros) {
+  BarInTheMesh bar{wave};
+  // The nth zero is at (n - 1/2) pi/omega; the strain is zero half a step before the first velocity.
+  double last = bar.amplitude();
+  int zeros = 0;
+  for (int n = 1;; ++n) {
+    bar.advance();
+    const double now = bar.amplitude();
+    if (now * last < 0 && ++zeros == num_zeros) {
+      const double time = (n + 0.5 - now / (now - last)) * wave.dt();
+      return (num_zeros - 0.5) * std::numbers::pi / (wave.wave_number() * BarWave::solid.wave_speed() * time);
+    }
+    last = now;
+  }
+}
+
+TEST(ElasticBar, VibratesTooSlowByTheSquareOfTheSpacing) {  // Eq. (M66)
+  for (const NamedScheme& scheme : lasting_schemes) {
+    SCOPED_TRACE(scheme.name);
+    for (const Index num_cells : {10, 20}) {
+      const BarWave wave{scheme.shape, scheme.rule, num_cells, 1, 0.1};
+      const double kh = wave.wave_number() * wave.spacing();
+
+      const double lag = 1 - frequency(wave, 20);
+
+      // Next comes (k h)^4; the centred step is ahead by (omega dt)^2/24; the start is off by a phase of
+      // (k h)^2, one in 20 half periods.
+      const double tolerance = std::pow(kh, 4) / 24 + kh * kh * (0.01 / 24 + scheme.lag / 20);
+      EXPECT_NEAR(lag, scheme.lag * kh * kh, tolerance);
+    }
+  }
+}
+
+/// Energy left of a wave after `num_periods`: the square of the amplitude at its last peak.
+double energy_left(const BarWave& wave, int num_periods) {
+  BarInTheMesh bar{wave};
+  const double period = 2 * std::numbers::pi / (wave.wave_number() * BarWave::solid.wave_speed());
+  const auto num_steps = static_cast<int>(num_periods * period / wave.dt());
+  const auto last_period = static_cast<int>((num_periods - 1) * period / wave.dt());
+  double peak = 0;
+  for (int n = 0; n < num_steps; ++n) {
+    bar.advance();
+    if (n > last_period) peak = std::max(peak, bar.amplitude());
+  }
+  return peak * peak;
+}
+
+/// Twenty periods of a wave of k h = pi/10 at one Courant number.
+struct LongRun {
+  static constexpr int num_periods = 20;
+  static constexpr double kh = std::numbers::pi / 10;
+
+  explicit LongRun(double courant_number) : courant{courant_number} {}
+
+  [[nodiscard]] double omega_dt() const { return kh * courant; }
+  [[nodiscard]] double num_steps() const { return num_periods * 2 * std::numbers::pi / omega_dt(); }
+  /// -log of the energy left [-].
+  [[nodiscard]] double loss(const AnyShape& shape, const AnyTransfer& rule) const {
+    return -std::log(energy_left({shape, rule, 10, 1, courant}, num_periods));
+  }
+  /// Of a predicted loss: the next order, and one period of twenty, as its peak may be anywhere in it. And
+  /// the start, which nodes see less of than points by M k^2/2.
+  [[nodiscard]] static double tolerance(double predicted) {
+    return predicted * (kh * kh + 1.0 / num_periods) + kh * kh / 4;
+  }
+
+  double courant;
+};
+
+TEST(StressLast, TakesEnergyOutOfFlipAtAPredictedRate) {  // Eq. (M67)
+  // The gradient that strains the points is that of the nodes, whose increment the points feel only P times:
+  // a viscosity, which takes (1 - P) (omega dt)^2 of the energy per step, 1 - P = (k h)^2 M/h^2 with the mean
+  // M of the points.
+  for (const auto& [shape, moment] : {std::pair{AnyShape{Linear{}}, 3.0 / 16}, {Quadratic{}, 1.0 / 4}}) {
+    for (const double courant : {0.1, 0.2, 0.4}) {
+      const LongRun run{courant};
+      const double predicted =
+          moment * LongRun::kh * LongRun::kh * run.omega_dt() * run.omega_dt() * run.num_steps();
+
+      EXPECT_NEAR(run.loss(shape, PicFlip{1}), predicted, LongRun::tolerance(predicted));
+    }
+  }
+}
+
+TEST(Apic, LosesAWaveWithItsFourthPowerPerStepUnderQuadraticShapes) {  // Eq. (M68)
+  constexpr double fourth_moment = 0.16796875;  // of weights about a point a quarter of a cell from a node
+  constexpr double third_moment = 0.046875;
+  constexpr double second_moment = 0.25;
+  constexpr double per_step =
+      (fourth_moment - second_moment * second_moment - third_moment * third_moment / second_moment) / 4;
+  for (const double courant : {0.1, 0.2, 0.4}) {
+    const LongRun run{courant};
+    const double predicted = per_step * std::pow(LongRun::kh, 4) * run.num_steps();
+
+    EXPECT_NEAR(run.loss(Quadratic{}, Apic{}), predicted, LongRun::tolerance(predicted));
+  }
+}
+
+TEST(Apic, KeepsAWaveUnderLinearShapes) {
+  // Velocity and gradient of one point give both nodes of its cell their velocities back: nothing is lost but
+  // the start.
+  for (const double courant : {0.1, 0.4}) {
+    EXPECT_NEAR(LongRun{courant}.loss(Linear{}, Apic{}), 0, LongRun::tolerance(0));
+  }
+}
+
+}  // namespace
+}  // namespace scree::mpm
