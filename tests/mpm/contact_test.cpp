@@ -117,15 +117,15 @@ TEST(Slides, TakesTheSpeedThatABendOfTheWallTurns) {
 
 TEST(ChangeVelocity, ChangesTheIncrementAlikeAndLeavesEmptyNodesAlone) {
   const NodeRecord layout{.num_velocities = 2, .has_increment = true};
-  std::array<double, 8> node{2, 3, -4, 10, 20, 0, 0, 0};
-  std::array<double, 8> empty{0, 3, -4, 10, 20, 0, 0, 0};
+  std::array<double, 8> node{2, 3, -4, 0, 10, 20, 0, 0};
+  std::array<double, 8> empty{0, 3, -4, 0, 10, 20, 0, 0};
 
   for (auto* record : {&node, &empty}) {
     change_velocity(layout, record->data(), [](const Vector<3>& v) { return Vector<3>{v[0] + 1, 0, 7}; });
   }
 
-  EXPECT_EQ(node, (std::array<double, 8>{2, 4, 0, 11, 24, 0, 0, 0}));
-  EXPECT_EQ(empty, (std::array<double, 8>{0, 3, -4, 10, 20, 0, 0, 0}));
+  EXPECT_EQ(node, (std::array<double, 8>{2, 4, 0, 0, 11, 24, 0, 0}));
+  EXPECT_EQ(empty, (std::array<double, 8>{0, 3, -4, 0, 10, 20, 0, 0}));
 }
 
 }  // namespace

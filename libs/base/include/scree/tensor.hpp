@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scree/index.hpp>
+
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
@@ -8,9 +10,6 @@
 #include <type_traits>
 
 namespace scree {
-
-/// Signed everywhere: differences of indices are as common as indices.
-using Index = std::ptrdiff_t;
 
 /// Half a unit in the last place of 1 [-]: the relative error of one rounding.
 constexpr double round_off = std::numeric_limits<double>::epsilon() / 2;

@@ -38,6 +38,7 @@ concept TransferRule = requires(const T rule) {
   { T::name } -> std::convertible_to<std::string_view>;
   { T::summary } -> std::convertible_to<std::string_view>;
   { T::has_affine } -> std::convertible_to<bool>;
+  { T::has_affine_gradient } -> std::convertible_to<bool>;
   { T::has_increment } -> std::convertible_to<bool>;
   { rule.increment_share() }
   noexcept->std::same_as<double>;

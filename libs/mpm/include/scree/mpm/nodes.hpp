@@ -1,25 +1,12 @@
 #pragma once
 
 #include <scree/grid.hpp>
+#include <scree/mpm/node_record.hpp>
 
 #include <algorithm>
 #include <vector>
 
 namespace scree::mpm {
-
-/// Where the values of one node stand in its record of doubles, padded to whole fours.
-/// With increments the force has a place of its own; without, it is added to the momentum at once.
-struct NodeRecord {
-  int num_velocities;
-  bool has_increment;
-
-  static constexpr int mass = 0;      ///< [kg]
-  static constexpr int momentum = 1;  ///< [kg m/s], after the update the velocity [m/s]
-  [[nodiscard]] constexpr int increment() const noexcept { return 1 + num_velocities; }  ///< [N], then [m/s]
-  [[nodiscard]] constexpr int size() const noexcept {
-    return (1 + num_velocities * (has_increment ? 2 : 1) + 3) / 4 * 4;
-  }
-};
 
 /// The nodes of a grid with one record each. Past a wall stands one layer of image nodes; a periodic axis has
 /// none, its nodes repeat.

@@ -2,20 +2,11 @@
 
 #include <scree/blocks.hpp>
 #include <scree/lattice.hpp>
+#include <scree/mpm/block_size.hpp>
 
 #include <vector>
 
 namespace scree::mpm {
-
-/// Edge of a block of cells along each axis [cells]: its nodes, with their halo, stay in the first cache.
-/// Must exceed the widest stencil (3 nodes), so that blocks of one colour share no node.
-template <int D>
-inline constexpr Index block_edge = D == 1   ? 32
-                                    : D == 2 ? 8
-                                             : 4;
-
-/// Points of one block fill whole packs of this many.
-inline constexpr Index pack_size = 8;
 
 /// A run of consecutive points whose stencils, when they were sorted, began in one block of cells. A point
 /// may since have moved by up to one cell beyond the block; then all are sorted anew.

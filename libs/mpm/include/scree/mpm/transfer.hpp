@@ -1,5 +1,7 @@
 #pragma once
 
+#include <scree/instruction_set.hpp>
+#include <scree/mpm/block_motion.hpp>
 #include <scree/mpm/nodes.hpp>
 #include <scree/mpm/particle_blocks.hpp>
 #include <scree/mpm/particles.hpp>
@@ -9,12 +11,6 @@
 #include <memory>
 
 namespace scree::mpm {
-
-/// What a block tells after its points have moved.
-struct BlockMotion {
-  double advection_rate = 0;  ///< largest sum over axes of |v_d| / spacing_d [1/s]
-  bool needs_sort = false;    ///< a point has left the reach of its block, or its position is not finite
-};
 
 /// Points to nodes and back, for one shape and one transfer rule; chosen once, called once per block.
 template <int D, int V>
@@ -37,7 +33,9 @@ class Transfer {
                                            const Nodes<D>& nodes, double dt) const noexcept = 0;
 };
 
+/// @param set what its loops are compiled for: one of instruction_sets()
 template <int D, int V>
-[[nodiscard]] std::unique_ptr<Transfer<D, V>> make_transfer(const AnyShape& shape, const AnyTransfer& rule);
+[[nodiscard]] std::unique_ptr<Transfer<D, V>> make_transfer(const AnyShape& shape, const AnyTransfer& rule,
+                                                            InstructionSet set = widest_instruction_set());
 
 }  // namespace scree::mpm

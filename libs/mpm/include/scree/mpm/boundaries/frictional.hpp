@@ -49,7 +49,7 @@ class FrictionalWall final : public Boundary<D> {
 
   void reflect(Nodes<D>& nodes) const noexcept override {
     const NodeRecord layout = nodes.record();
-    const int end = layout.has_increment ? layout.increment() + layout.num_velocities : layout.increment();
+    const int end = layout.size();
     for_each_wall_line(nodes, axis_, side_,
                        [&](double* image, const double* wall, const double* inside, Index) {
                          for (int i = NodeRecord::momentum; i < end; ++i) image[i] = 2 * wall[i] - inside[i];

@@ -12,6 +12,7 @@ struct Apic {
   static constexpr std::string_view summary =
       "affine particle-in-cell: keeps affine velocities and angular momentum";
   static constexpr bool has_affine = true;
+  static constexpr bool has_affine_gradient = true;
   static constexpr bool has_increment = false;
   [[nodiscard]] static constexpr double increment_share() noexcept { return 0; }
 };

@@ -17,6 +17,7 @@ class PicFlip {
   static constexpr std::array<Parameter, 1> parameters{
       {{"increment_share", "-", "share of the nodal increment: 0 is PIC, 1 is FLIP", 0.99}}};
   static constexpr bool has_affine = false;
+  static constexpr bool has_affine_gradient = false;
   static constexpr bool has_increment = true;
 
   /// @param increment_share 0 is PIC, 1 is FLIP [-].  @throws InputError outside [0, 1].

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+/// Registers of several doubles, in the namespace of the instruction set that they belong to: so nothing that
+/// is made of them can be taken for code of another set.
+namespace scree::mpm::SCREE_INSTRUCTION_SET {
+
+#if defined(__AVX512F__)
+inline constexpr int register_size = 8;
+#elif defined(__AVX__)
+inline constexpr int register_size = 4;
+#else
+inline constexpr int register_size = 2;
+#endif
+
+/// A double for each of some neighbouring points: a number of pointwise physics.
+class Pack {
+ public:
+  static constexpr int size = register_size;
+  using Register [[gnu::vector_size(size * sizeof(double))]] = double;
+  using Mask = decltype(Register{} < Register{});  ///< all bits of a lane, or none
+
+  Pack() = default;
+  Pack(double value) noexcept
+      : lanes_{value - Register{}} {}  // NOLINT(google-explicit-constructor): a number
+  explicit Pack(const Register& lanes) noexcept : lanes_{lanes} {}
+
+  [[nodiscard]] static Pack load(const double* from) noexcept {
+    Pack pack;
+    std::memcpy(&pack.lanes_, from, sizeof pack.lanes_);
+    return pack;
+  }
+  void store(double* to) const noexcept { std::memcpy(to, &lanes_, sizeof lanes_); }
+
+  [[nodiscard]] double operator[](int lane) const noexcept { return lanes_[lane]; }
+  [[nodiscard]] const Register& lanes() const noexcept { return lanes_; }
+
+  friend Pack operator+(const Pack& a, const Pack& b) noexcept { return Pack{a.lanes_ + b.lanes_}; }
+  friend Pack operator-(const Pack& a, const Pack& b) noexcept { return Pack{a.lanes_ - b.lanes_}; }
+  friend Pack operator*(const Pack& a, const Pack& b) noexcept { return Pack{a.lanes_ * b.lanes_}; }
+  friend Pack operator/(const Pack& a, const Pack& b) noexcept { return Pack{a.lanes_ / b.lanes_}; }
+  friend Pack operator-(const Pack& a) noexcept { return Pack{-a.lanes_}; }
+
+  friend Mask operator<(const Pack& a, const Pack& b) noexcept { return a.lanes_ < b.lanes_; }
+  friend Mask operator<=(const Pack& a, const Pack& b) noexcept { return a.lanes_ <= b.lanes_; }
+
+  friend Pack max(const Pack& a, const Pack& b) noexcept {
+    return Pack{a.lanes_ < b.lanes_ ? b.lanes_ : a.lanes_};
+  }
+  friend Pack abs(const Pack& a) noexcept { return max(a, -a); }
+
+  /// Of numbers that an int can hold: a cell, not a place.
+  friend Pack floor(const Pack& a) noexcept {
+    using Ints [[gnu::vector_size(size * sizeof(int))]] = int;
+    const Register whole = __builtin_convertvector(__builtin_convertvector(a.lanes_, Ints), Register);
+    return Pack{whole > a.lanes_ ? whole - 1 : whole};
+  }
+
+ private:
+  Register lanes_;
+};
+
+/// Four neighbouring doubles: fields of one node.
+class Four {
+ public:
+#if defined(__AVX__)
+  static constexpr int num_parts = 1;
+#else
+  static constexpr int num_parts = 2;
+#endif
+  using Part [[gnu::vector_size(4 * sizeof(double) / num_parts)]] = double;
+
+  Four() = default;
+  [[nodiscard]] static Four zero() noexcept {
+    Four four;
+    for (Part& part : four.parts_) part = Part{};
+    return four;
+  }
+  [[nodiscard]] static Four load(const double* from) noexcept {
+    Four four;
+    std::memcpy(four.parts_, from, sizeof four.parts_);
+    return four;
+  }
+  void store(double* to) const noexcept {
+    std::memcpy(to, parts_, sizeof parts_);
+  }
+
+  Four& operator+=(const Four& other) noexcept {
+    for (int i = 0; i < num_parts; ++i) parts_[i] += other.parts_[i];
+    return *this;
+  }
+  friend Four operator+(Four a, const Four& b) noexcept {
+    return a += b;
+  }
+  friend Four operator*(double factor, Four a) noexcept {
+    for (Part& part : a.parts_) part *= factor;
+    return a;
+  }
+
+  [[nodiscard]] const Part& part(int i) const noexcept {
+    return parts_[i];
+  }
+
+ private:
+  Part parts_[num_parts];
+};
+
+}  // namespace scree::mpm::SCREE_INSTRUCTION_SET

@@ -1,0 +1,330 @@
+#pragma once
+
+#include "stencil_loops.hpp"
+#include "transfer_kernels.hpp"
+#include "transpose.hpp"
+
+#include <algorithm>
+#include <utility>
+
+/// Points to nodes and back, a pack of points at a time. Lanes are points for weights and for what a point
+/// gives or takes (point_transfer.hpp), fields of a node in between (stencil_loops.hpp).
+namespace scree::mpm::SCREE_INSTRUCTION_SET {
+
+static_assert(pack_size % Pack::size == 0);
+
+/// The record of a node in fours: mass and momentum, and the force if it has a place of its own.
+template <TransferRule Rule>
+struct Record {
+  static_assert(!Rule::has_affine || Rule::has_affine_gradient || Rule::has_increment,
+                "slopes of momentum and forces that share a record must share their weights");
+  static constexpr bool has_force = Rule::has_increment;
+  static constexpr std::ptrdiff_t size = has_force ? 8 : 4;
+  static constexpr std::ptrdiff_t force = NodeRecord::increment();
+};
+
+template <int D, std::size_t S, TransferRule Rule>
+struct Tile {
+  static constexpr Index edge = TileShape<D, S>::edge;
+  static constexpr Index num_values = TileShape<D, S>::num_nodes * Record<Rule>::size;
+  [[nodiscard]] static constexpr Strides<D> strides() noexcept {
+    Strides<D> stride{};
+    stride.axis[0] = Record<Rule>::size;
+    for (int axis = 1; axis < D; ++axis) stride.axis[axis] = stride.axis[axis - 1] * edge;
+    return stride;
+  }
+
+  alignas(64) double values[static_cast<std::size_t>(num_values)];
+};
+
+/// Calls body(record of a node, its copy in the tile, how many doubles) for runs of neighbouring nodes of a
+/// tile.
+template <class TileType, int D, class Value, class Body>
+inline void for_each_run(const TileNodes<D, Value>& nodes, Body&& body) noexcept {
+  constexpr Index edge = TileType::edge;
+  constexpr Index record_size = TileType::strides().axis[0];
+  constexpr Index num_rows = D == 1 ? 1 : D == 2 ? edge : edge * edge;
+  for (Index row = 0; row < num_rows; ++row) {
+    Index start = 0;
+    bool exists = true;
+    Index rest = row;
+    for (std::size_t axis = 1; axis < D; ++axis) {
+      const Index along = nodes.offset[axis][static_cast<std::size_t>(rest % edge)];
+      exists = exists && along >= 0;
+      start += along;
+      rest /= edge;
+    }
+    if (!exists) continue;
+    const auto along = [&](Index i) { return nodes.offset[0][static_cast<std::size_t>(i)]; };
+    for (Index i = 0; i < edge;) {
+      const Index first = i++;
+      while (i < edge && along(i) == along(i - 1) + record_size) ++i;
+      if (along(first) < 0) continue;
+      body(nodes.values + start + along(first), (row * edge + first) * record_size,
+           (i - first) * record_size);
+    }
+  }
+}
+
+template <int D, int V>
+[[nodiscard]] inline Point<Pack, D, V> load(const PointColumns<D, V>& columns, Index p) noexcept {
+  Point<Pack, D, V> point;
+  for (int j = 0; j < D; ++j) {
+    const auto axis = static_cast<std::size_t>(j);
+    point.position[axis] = Pack::load(columns.position + j * columns.stride + p);
+    for (int i = 0; i < V; ++i) {
+      const Index place = (i + V * j) * columns.stride + p;
+      point.velocity_gradient[axis][static_cast<std::size_t>(i)] =
+          Pack::load(columns.velocity_gradient + place);
+      point.stress[axis][static_cast<std::size_t>(i)] = Pack::load(columns.stress + place);
+    }
+  }
+  for (int i = 0; i < V; ++i) {
+    point.velocity[static_cast<std::size_t>(i)] = Pack::load(columns.velocity + i * columns.stride + p);
+  }
+  point.mass = Pack::load(columns.mass + p);
+  point.density = Pack::load(columns.density + p);
+  return point;
+}
+
+template <int D, int V>
+inline void store(const Point<Pack, D, V>& point, const PointColumns<D, V>& columns, Index p) noexcept {
+  for (int j = 0; j < D; ++j) {
+    const auto axis = static_cast<std::size_t>(j);
+    point.position[axis].store(columns.position + j * columns.stride + p);
+    for (int i = 0; i < V; ++i) {
+      point.velocity_gradient[axis][static_cast<std::size_t>(i)].store(columns.velocity_gradient +
+                                                                       (i + V * j) * columns.stride + p);
+    }
+  }
+  for (int i = 0; i < V; ++i) {
+    point.velocity[static_cast<std::size_t>(i)].store(columns.velocity + i * columns.stride + p);
+  }
+  point.density.store(columns.density + p);
+}
+
+/// A pack's stencils in memory, so that a lane's weights are read one by one.
+template <int D, std::size_t S>
+struct PackStencils {
+  PackWeights<D, S> weight;
+  PackWeights<D, S> slope;
+  PackWeights<D, S> arm;
+  alignas(64) int first[Pack::size];  ///< place in the tile of each lane's first node, in doubles
+};
+
+template <class TileType, TransferRule Rule, int D, std::size_t S>
+inline void keep(const Stencil<Pack, D, S>& stencil, const BlockPlace<D>& place,
+                 PackStencils<D, S>& kept) noexcept {
+  Pack first{0};
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    for (std::size_t i = 0; i < S; ++i) {
+      stencil.weight[axis][i].store(kept.weight.along[axis][i]);
+      stencil.slope[axis][i].store(kept.slope.along[axis][i]);
+      if constexpr (Rule::has_affine && !Rule::has_affine_gradient) {
+        stencil.arm[axis][i].store(kept.arm.along[axis][i]);
+      }
+    }
+    const auto stride = static_cast<double>(TileType::strides().axis[axis]);
+    first = first + (stencil.base[axis] - place.first_base[axis]) * stride;
+  }
+  for (int lane = 0; lane < Pack::size; ++lane) kept.first[lane] = static_cast<int>(first[lane]);
+}
+
+/// The given in fours, point by point.
+template <int D, bool has_force>
+struct PackGiven {
+  alignas(64) double momentum[Pack::size][1 + D][4];
+  alignas(64) double force[has_force ? Pack::size : 1][D][4];
+};
+
+template <int V>
+[[nodiscard]] inline Pack component(const Components<Pack, V>& values, int i) noexcept {
+  return i < V ? values[static_cast<std::size_t>(i)] : Pack{0};
+}
+
+/// Sets down mass and momentum as one four, and for each axis slopes and forces as others.
+template <TransferRule Rule, int D, int V, bool has_force>
+inline void keep(const Given<Pack, D, V>& given, PackGiven<D, has_force>& kept) noexcept {
+  constexpr std::ptrdiff_t stride = (1 + D) * 4;
+  to_fours({given.mass, component<V>(given.momentum, 0), component<V>(given.momentum, 1),
+            component<V>(given.momentum, 2)},
+           kept.momentum[0][0], stride);
+  for (std::size_t j = 0; j < D; ++j) {
+    Components<Pack, V> along;  // what goes to the momentum
+    for (std::size_t i = 0; i < V; ++i) {
+      along[i] = has_force          ? given.momentum_slope[j][i]
+                 : Rule::has_affine ? given.momentum_slope[j][i] + given.force[j][i]
+                                    : given.force[j][i];
+    }
+    if constexpr (Rule::has_affine || !has_force) {
+      to_fours({Pack{0}, component<V>(along, 0), component<V>(along, 1), component<V>(along, 2)},
+               kept.momentum[0][1 + j], stride);
+    }
+    if constexpr (has_force) {
+      const auto& force = given.force[j];
+      to_fours({component<V>(force, 0), component<V>(force, 1), component<V>(force, 2), Pack{0}},
+               kept.force[0][j], D * 4);
+    }
+  }
+}
+
+template <TransferRule Rule, int D, std::size_t S, bool has_force>
+inline void scatter_lane(const PackStencils<D, S>& stencils, const PackGiven<D, has_force>& given, int lane,
+                         const Strides<D>& stride, double* tile) noexcept {
+  constexpr bool has_slope = Rule::has_affine || !has_force;
+  constexpr bool has_arm = Rule::has_affine && !Rule::has_affine_gradient;
+  double* first = tile + stencils.first[lane];
+  ToNodes<D> momentum;
+  momentum.value = Four::load(given.momentum[lane][0]);
+  if constexpr (has_slope) {
+    for (int j = 0; j < D; ++j) momentum.slope[j] = Four::load(given.momentum[lane][1 + j]);
+  }
+  add_to_nodes<D, S, true, has_slope>(momentum, stencils.weight, has_arm ? stencils.arm : stencils.slope,
+                                      lane, stride, first);
+  if constexpr (has_force) {
+    ToNodes<D> force;
+    for (int j = 0; j < D; ++j) force.slope[j] = Four::load(given.force[lane][j]);
+    add_to_nodes<D, S, false, true>(force, stencils.weight, stencils.slope, lane, stride,
+                                    first + Record<Rule>::force);
+  }
+}
+
+template <int D, int V, Shape ShapeType, TransferRule Rule>
+void scatter(const AnyShape& any_shape, const PointColumns<D, V>& columns, const BlockPlace<D>& place,
+             const TileNodes<D, double>& nodes, double dt) noexcept {
+  using TileType = Tile<D, ShapeType::support, Rule>;
+  const auto shape = *std::get_if<ShapeType>(&any_shape);
+  TileType tile;
+  std::fill_n(tile.values, TileType::num_values, 0.0);
+  PackStencils<D, ShapeType::support> stencils;
+  PackGiven<D, Record<Rule>::has_force> given;
+  for (Index p = columns.begin; p < columns.end; p += Pack::size) {
+    const Point<Pack, D, V> point = load(columns, p);
+    const auto stencil = stencil_at<Rule, D>(shape, point.position, place.origin, place.inverse_spacing);
+    keep<TileType, Rule>(stencil, place, stencils);
+    keep<Rule>(give<Rule>(point, stencil, dt), given);
+    for (int lane = 0; lane < Pack::size; ++lane) {
+      scatter_lane<Rule>(stencils, given, lane, TileType::strides(), tile.values);
+    }
+  }
+  for_each_run<TileType>(nodes, [&](double* run, Index in_tile, Index count) {
+    const double* from = tile.values + in_tile;
+    for (Index i = 0; i < count; ++i) run[i] += from[i];
+  });
+}
+
+/// What the nodes give to the points of a pack, in fours, point by point.
+template <int D>
+struct PackTaken {
+  alignas(64) double velocity[Pack::size][1 + D][4];
+  alignas(64) double increment[Pack::size][4];
+};
+
+template <TransferRule Rule, int D, std::size_t S>
+inline void gather_lane(const PackStencils<D, S>& stencils, int lane, const Strides<D>& stride,
+                        const double* tile, PackTaken<D>& taken) noexcept {
+  const double* first = tile + stencils.first[lane];
+  const auto sum = sum_of_nodes<D, S, true>(stencils.weight, stencils.slope, lane, stride, first);
+  sum.value.store(taken.velocity[lane][0]);
+  for (int j = 0; j < D; ++j) sum.slope[j].store(taken.velocity[lane][1 + j]);
+  if constexpr (Rule::has_increment) {
+    sum_of_nodes<D, S, false>(stencils.weight, stencils.slope, lane, stride, first + Record<Rule>::force)
+        .value.store(taken.increment[lane]);
+  }
+}
+
+template <TransferRule Rule, int D, int V>
+[[nodiscard]] inline Taken<Pack, D, V> taken_by(const PackTaken<D>& kept) noexcept {
+  constexpr std::ptrdiff_t stride = (1 + D) * 4;
+  Taken<Pack, D, V> taken;
+  Pack fields[4];
+  from_fours(kept.velocity[0][0], stride, fields);
+  for (std::size_t i = 0; i < V; ++i) taken.velocity[i] = fields[1 + i];
+  for (std::size_t j = 0; j < D; ++j) {
+    from_fours(kept.velocity[0][1 + j], stride, fields);
+    for (std::size_t i = 0; i < V; ++i) taken.velocity_gradient[j][i] = fields[1 + i];
+  }
+  if constexpr (Rule::has_increment) {
+    from_fours(kept.increment[0], 4, fields);
+    for (std::size_t i = 0; i < V; ++i) taken.increment[i] = fields[i];
+  }
+  return taken;
+}
+
+/// What has become of the points of a block, lane by lane.
+class MotionOfPacks {
+ public:
+  template <int D, int V>
+  void widen(const Point<Pack, D, V>& point, const BlockPlace<D>& place, double shift) noexcept {
+    Pack rate{0};
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      const Pack& x = point.position[axis];
+      const Pack along = coordinate(x, place.origin[axis], place.inverse_spacing[axis], shift);
+      is_inside_ &= (Pack{place.first_base[axis]} <= along) & (along < Pack{place.beyond_base[axis]}) &
+                    (Pack{place.low[axis]} <= x) & (x <= Pack{place.high[axis]});
+      rate = rate + abs(point.velocity[axis]) * place.inverse_spacing[axis];
+    }
+    rate_ = max(rate_, rate);
+  }
+  [[nodiscard]] BlockMotion of_block() const noexcept {
+    BlockMotion motion;
+    for (int lane = 0; lane < Pack::size; ++lane) {
+      motion.advection_rate = motion.advection_rate < rate_[lane] ? rate_[lane] : motion.advection_rate;
+      motion.needs_sort = motion.needs_sort || is_inside_[lane] == 0;
+    }
+    return motion;
+  }
+
+ private:
+  Pack::Mask is_inside_ = ~Pack::Mask{};
+  Pack rate_{0};
+};
+
+template <int D, int V, Shape ShapeType, TransferRule Rule>
+BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& any_rule, const PointColumns<D, V>& columns,
+                   const BlockPlace<D>& place, const TileNodes<D, const double>& nodes, double dt) noexcept {
+  using TileType = Tile<D, ShapeType::support, Rule>;
+  const auto shape = *std::get_if<ShapeType>(&any_shape);
+  const auto rule = *std::get_if<Rule>(&any_rule);
+  TileType tile;
+  std::fill_n(tile.values, TileType::num_values, 0.0);
+  for_each_run<TileType>(nodes, [&](const double* run, Index in_tile, Index count) {
+    double* to = tile.values + in_tile;
+    for (Index i = 0; i < count; ++i) to[i] = run[i];
+  });
+  PackStencils<D, ShapeType::support> stencils;
+  PackTaken<D> taken;
+  MotionOfPacks motion;
+  for (Index p = columns.begin; p < columns.end; p += Pack::size) {
+    const Point<Pack, D, V> point = load(columns, p);
+    keep<TileType, Rule>(stencil_at<Rule, D>(shape, point.position, place.origin, place.inverse_spacing),
+                         place, stencils);
+    for (int lane = 0; lane < Pack::size; ++lane) {
+      gather_lane<Rule>(stencils, lane, TileType::strides(), tile.values, taken);
+    }
+    const Point<Pack, D, V> next = take<Rule>(rule, point, taken_by<Rule, D, V>(taken), dt);
+    store(next, columns, p);
+    motion.widen(next, place, ShapeType::shift);
+  }
+  return motion.of_block();
+}
+
+/// The kernels of every shape with every rule.
+template <int D, int V, class Shapes, class Rules>
+struct KernelTable;
+template <int D, int V, class... S, class... R>
+struct KernelTable<D, V, std::variant<S...>, std::variant<R...>> {
+  using Entry = TransferKernels<D, V>;
+  template <class One>
+  struct Row {
+    static constexpr Entry entries[] = {{scatter<D, V, One, R>, gather<D, V, One, R>}...};
+  };
+  static constexpr const Entry* rows[] = {Row<S>::entries...};
+};
+
+template <int D, int V>
+TransferKernels<D, V> transfer_kernels(std::size_t shape, std::size_t rule) noexcept {
+  return KernelTable<D, V, AnyShape, AnyTransfer>::rows[shape][rule];
+}
+
+}  // namespace scree::mpm::SCREE_INSTRUCTION_SET
