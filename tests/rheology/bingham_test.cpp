@@ -1,4 +1,5 @@
 #include "inclined_layer.hpp"
+#include "pipe_flow.hpp"
 #include "points.hpp"
 #include "zigzag.hpp"
 
@@ -17,6 +18,21 @@ constexpr Bingham law{
 
 TEST(Bingham, IsExactOnceYielded) {  // Eq. (R9): exp(-m gdot) is less than round-off from m gdot = 37 on
   EXPECT_EQ(stress(law, simple_shear(4), 1000.0)(0, 1), 1000 + 750 * 4);
+}
+
+/// Buckingham (1921): through a pipe flows (tau_w/4 K) (1 - 4 phi/3 + phi^4/3) pi R^3, with the share
+/// phi = tau_y/tau_w of its radius that is a plug.
+TEST(Bingham, FlowsThroughAPipeAsBuckinghamSays) {  // Eq. (R9)
+  Bingham mud = law;
+  mud.regularisation_time = 1e9;  // yielded at each rate that is looked at but zero, where nothing flows
+  const int num_parts = 400;
+  for (const double wall_rate : {0.1, 1.0, 100.0}) {
+    const double wall_stress = mud.yield_stress + mud.viscosity * wall_rate;
+    const double plug = mud.yield_stress / wall_stress;
+    const double exact = wall_stress / (4 * mud.viscosity) * (1 - 4 * plug / 3 + std::pow(plug, 4) / 3);
+
+    EXPECT_NEAR(pipe_flow(mud, wall_rate, num_parts), exact, error_of_pipe_flow(num_parts) * wall_rate);
+  }
 }
 
 TEST(Bingham, HasAFiniteViscosityAtRest) {  // Eq. (R8)

@@ -1,4 +1,5 @@
 #include "inclined_layer.hpp"
+#include "pipe_flow.hpp"
 #include "points.hpp"
 #include "zigzag.hpp"
 
@@ -38,6 +39,25 @@ TEST(HerschelBulkley, IsAPowerLawOnceYielded) {  // Eq. (R10)
       // (1 + 1/(m gdot)^2)^((n-1)/2), and some ten roundings.
       const double regularisation = std::abs(n - 1) / 2 / std::pow(100 * rate, 2);
       EXPECT_NEAR(actual, expected, (regularisation + 10 * round_off) * expected);
+    }
+  }
+}
+
+/// Through a pipe, with the share phi = tau_y/tau_w of its radius that is a plug, flows n gdot_w (1 - phi)
+/// ((1 - phi)^2/(3 n + 1) + 2 phi (1 - phi)/(2 n + 1) + phi^2/(n + 1)) pi R^3. Chhabra & Richardson (2008)
+TEST(HerschelBulkley, FlowsThroughAPipeAroundItsPlug) {  // Eq. (R10)
+  const int num_parts = 400;
+  for (const double n : {0.5, 1.0, 1.5}) {
+    const HerschelBulkley fluid = mud(n, 1e9);  // yielded at each rate that is looked at but zero
+    for (const double wall_rate : {0.1, 1.0, 100.0}) {
+      const double plug = 50 / (50 + 100 * std::pow(wall_rate, n));
+      const double sheared = 1 - plug;
+      const double exact =
+          n * wall_rate * sheared *
+          (sheared * sheared / (3 * n + 1) + 2 * plug * sheared / (2 * n + 1) + plug * plug / (n + 1));
+
+      EXPECT_NEAR(pipe_flow(fluid, wall_rate, num_parts), exact, error_of_pipe_flow(num_parts) * wall_rate)
+          << n;
     }
   }
 }

@@ -21,6 +21,21 @@ TEST(Newtonian, IsExactInSimpleShear) {  // Eq. (R3)
   EXPECT_EQ(sigma.components, expected.components);
 }
 
+/// Trouton (1906): a thread that is drawn out bears three times the viscosity times the rate, a sheet that is
+/// kept from narrowing four times.
+TEST(Newtonian, HasTroutonsRatios) {  // Eq. (R3)
+  const double rate = 4;              // [1/s]
+  const Tensor<double> thread{{rate, 0, 0, 0, -rate / 2, 0, 0, 0, -rate / 2}};
+  const Tensor<double> sheet{{rate, 0, 0, 0, -rate, 0, 0, 0, 0}};
+
+  for (const auto& [gradient, ratio] : {std::pair{thread, 3}, std::pair{sheet, 4}}) {
+    const auto sigma = stress(law, gradient, 1001.0);
+
+    // Of stresses that are differences of the pressure, K/1000.
+    EXPECT_NEAR(sigma(0, 0) - sigma(1, 1), ratio * 750 * rate, 10 * round_off * 1e4);
+  }
+}
+
 TEST(Newtonian, BearsNoTension) {  // Eq. (R5)
   for (const auto& gradient : velocity_gradients()) {
     EXPECT_EQ(largest(stress(law, gradient, 999.9)), 0);
