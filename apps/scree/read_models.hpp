@@ -20,6 +20,11 @@ namespace scree::app {
 template <class Law>
 concept IsLaw = rheology::DescribedLaw<Law> || rheology::DescribedWall<Law>;
 
+/// What a key may be that gives a law what it reads.
+[[nodiscard]] inline io::Bounds bounds_of(const Interval& range) noexcept {
+  return {range.lower, range.upper, range.is_open, range.is_open && std::isfinite(range.upper)};
+}
+
 /// A law from its parameters, each a key of the table.
 template <IsLaw Law>
 void read_model(const io::TomlTable& table, auto& chosen) {

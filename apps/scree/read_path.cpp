@@ -26,7 +26,7 @@ using rheology::symmetric_components;
   const auto read = [&](const auto& chosen) {
     for (const InputColumn& column : chosen.inputs) {
       const std::string meaning = fmt::format("what the law reads [{}]", column.unit);
-      inputs.push_back(table.number(column.name, meaning, above(0)));
+      inputs.push_back(table.number(column.name, meaning, bounds_of(column.range)));
     }
   };
   std::visit(read, law);

@@ -57,8 +57,9 @@ using io::TomlTable;
         for (const InputColumn& column : law.inputs) {
           const std::string meaning = fmt::format("what the law of the wall reads [{}]", column.unit);
           const auto known = from_scene(scene, axis, column);
-          wall.inputs.push_back(known ? table.number_or(*known, column.name, meaning, io::above(0))
-                                      : table.number(column.name, meaning, io::above(0)));
+          const io::Bounds bounds = bounds_of(column.range);
+          wall.inputs.push_back(known ? table.number_or(*known, column.name, meaning, bounds)
+                                      : table.number(column.name, meaning, bounds));
         }
       },
       wall.law);

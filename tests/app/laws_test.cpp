@@ -22,7 +22,7 @@ void expect_friction_without_force(const Law& law) {
   for (const InputColumn& input : Law::inputs) {
     const std::size_t column =
         particles.add_column({std::string{input.name}, "", std::string{input.unit}}, 1);
-    for (Index p = 0; p < particles.size(); ++p) particles.column(column).component(0)[p] = 1e-3;
+    for (Index p = 0; p < particles.size(); ++p) particles.column(column).component(0)[p] = input.typical;
   }
   for (Index p = 0; p < particles.size(); ++p) {
     particles.density.component(0)[p] = law.density * 1.01;

@@ -187,6 +187,23 @@ TEST(BadPathFile, SizeThatIsNoneIsNamed) {
             "path.toml:11: [inputs] grain_size = -1e-3: must exceed 0 (what the law reads [m])");
 }
 
+TEST(BadPathFile, FractionThatIsNoneIsNamed) {
+  const std::string text = R"([rheology]
+law = "suspension"
+liquid_viscosity = 1
+intrinsic_viscosity = 2.5
+solid_fraction = 0.5
+jammed_viscosity = 1e3
+bulk_modulus = 1e7
+density = 1800
+[inputs]
+maximum_packing = 64
+)" + small_path().substr(small_path().find("[start]"));
+
+  EXPECT_EQ(message_of(text),
+            "path.toml:10: [inputs] maximum_packing = 64: must lie in (0, 1) (what the law reads [-])");
+}
+
 TEST(BadPathFile, LawsOwnInequalityIsNamed) {
   EXPECT_EQ(message_of(with("mu_2 = 0.64", "mu_2 = 0.3")),
             "path.toml:4: [rheology] mu_2 = 0.3: must exceed mu_s = 0.38");

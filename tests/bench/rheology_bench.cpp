@@ -32,7 +32,7 @@ struct Points {
     for (std::size_t p = 0; p < size; ++p) {
       for (std::size_t i = 0; i < 9; ++i) column(i)[p] = gradients[p % gradients.size()].components[i];
       column(9)[p] = law.density * (1 + 1e-3 * static_cast<double>(p % 7));
-      for (std::size_t i = 0; i < Law::inputs.size(); ++i) column(10 + i)[p] = 1e-3;
+      for (std::size_t i = 0; i < Law::inputs.size(); ++i) column(10 + i)[p] = Law::inputs[i].typical;
       for (std::size_t i = 0; i < Law::states.size(); ++i) state(i)[p] = Law::states[i].initial;
     }
   }

@@ -16,7 +16,7 @@ struct Coarse {
   struct Input {
     Real grain_size;
   };
-  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m"}}};
+  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m", 1e-3}}};
   template <class Real>
   struct State {
     Real shear_strain;
@@ -77,6 +77,25 @@ TEST(StressUpdate, NamesTheColumnThatIsInAnotherUnit) {
 
   EXPECT_EQ(message_of<InputError>([&] { StressUpdateBy<2, 2, Coarse>({}, particles); }),
             "the law 'coarse' reads the column 'grain_size' in m, but it is in mm");
+}
+
+TEST(StressUpdate, NamesTheFirstPointWhoseInputIsOutOfItsRange) {
+  Sheared<2, 2> sheared;
+  for (const Index p : {3, 5}) sheared.particles.column(sheared.grain_size).component(0)[p] = 0;
+  sheared.particles.id.component(0)[3] = 12;
+  sheared.particles.position.component(0)[3] = 0.5;
+  sheared.particles.position.component(1)[3] = 1;
+  const auto complaint = [&] {
+    return message_of<InputError>([&] { StressUpdateBy<2, 2, Coarse>({}, sheared.particles); });
+  };
+
+  EXPECT_EQ(complaint(),
+            "the law 'coarse' reads grain_size = 0 m of material point 12 at (0.5, 1) m: must be finite and "
+            "above 0");
+  sheared.particles.column(sheared.grain_size).component(0)[3] = std::nan("");
+  EXPECT_EQ(complaint(),
+            "the law 'coarse' reads grain_size = nan m of material point 12 at (0.5, 1) m: must be finite "
+            "and above 0");
 }
 
 TEST(StressUpdate, StartsTheMemoryOfALawAtItsInitialValue) {

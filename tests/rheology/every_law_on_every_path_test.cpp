@@ -42,7 +42,7 @@ template <class Law>
   const auto state = made_of<typename Point::State>(Law::states, [&](const StateColumn& column) {
     return memory == nullptr ? column.initial : memory->at(next++);
   });
-  return std::make_unique<Point>(law, 1.001 * law.density, filled_with<typename Point::Input>(1e-3), state);
+  return std::make_unique<Point>(law, 1.001 * law.density, typical_input<Law>(), state);
 }
 
 template <class... Laws>

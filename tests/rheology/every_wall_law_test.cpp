@@ -16,15 +16,18 @@ namespace {
 
 using testing::Dual;
 
-constexpr double size = 1e-3;  // of every input, in SI
-
 template <class Law>
 class EveryWallLaw : public ::testing::Test {
  protected:
   static constexpr Law law = typical<Law>();
 
   template <class Real = double>
-  [[nodiscard]] static auto input(double value = size) {
+  [[nodiscard]] static auto input() {
+    return typical_input<Law, Real>();
+  }
+  /// One number as every input, in SI.
+  template <class Real = double>
+  [[nodiscard]] static auto input(double value) {
     return filled_with<typename Law::template Input<Real>>(Real(value));
   }
   [[nodiscard]] static double traction(double pressure, double speed) {

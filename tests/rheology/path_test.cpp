@@ -7,7 +7,10 @@
 #include <scree/rheology/laws/drucker_prager.hpp>
 #include <scree/rheology/laws/granular_elastoviscoplastic.hpp>
 #include <scree/rheology/laws/kinetic_theory.hpp>
+#include <scree/rheology/laws/mixture_mu_of_i.hpp>
+#include <scree/rheology/laws/mu_of_i.hpp>
 #include <scree/rheology/laws/newtonian.hpp>
+#include <scree/rheology/laws/suspension.hpp>
 
 #include <gtest/gtest.h>
 
@@ -191,11 +194,10 @@ TEST(Path, NamesAVolumeThatVanishes) {
 }
 
 TEST(Path, NamesAStressThatIsNotFinite) {
-  PathPointOf<GranularElastoviscoplastic> point{typical<GranularElastoviscoplastic>(), 1600, {nan}};
+  PathPointOf<Newtonian> point{fluid, fluid.density};
 
-  EXPECT_EQ(message_of<RunError>([&] { drive(point, simple_shear_at_constant_volume(1), 1, 1); }),
-            "the law 'granular_elastoviscoplastic' has no answer in stage 1 'the test' at 1 s: its stress is "
-            "not finite");
+  EXPECT_EQ(message_of<RunError>([&] { drive(point, simple_shear_at_constant_volume(1e308), 1, 1); }),
+            "the law 'newtonian' has no answer in stage 1 'the test' at 1 s: its stress is not finite");
 }
 
 /// A gas of grains that is pressed beyond close packing: phi/phi_c is what its law says it could not solve.
@@ -259,6 +261,25 @@ TEST(BadPath, LawIsRefusedWithItsParameter) {
 
   EXPECT_EQ(message_of<InputError>([&] { PathPointOf<Newtonian>(bad, 1000); }),
             "newtonian: bulk_modulus = -1 Pa: must be finite and above 0");
+}
+
+TEST(BadPath, InputIsRefusedWithItsColumn) {
+  const auto refused = [](const auto& law, const auto& input) {
+    return message_of<InputError>([&] { PathPointOf(law, law.density, input); });
+  };
+  using Grains = MuOfI::Input<double>;
+  using Mixture = MixtureMuOfI::Input<double>;
+  using Packing = Suspension::Input<double>;
+
+  EXPECT_EQ(refused(typical<MuOfI>(), Grains{0}),
+            "the law 'mu_of_i' reads grain_size = 0 m: must be finite and above 0");
+  EXPECT_EQ(refused(typical<MuOfI>(), Grains{nan}),
+            "the law 'mu_of_i' reads grain_size = nan m: must be finite and above 0");
+  EXPECT_EQ(refused(typical<MixtureMuOfI>(), Mixture{1e-3, 1.5}),
+            "the law 'mixture_mu_of_i' reads coarse_fraction = 1.5: must lie in [0, 1]");
+  EXPECT_EQ(refused(typical<MixtureMuOfI>(), Mixture{1e-3, 1}), "no error");
+  EXPECT_EQ(refused(typical<Suspension>(), Packing{1}),
+            "the law 'suspension' reads maximum_packing = 1: must lie in (0, 1)");
 }
 
 }  // namespace

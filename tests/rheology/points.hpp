@@ -27,13 +27,26 @@ template <class Aggregate, class Real>
   return made_of<Aggregate>(numbers, [&](const Real&) { return value; });
 }
 
-/// Stress of a law whose inputs are all 1e-3, in SI, after a step that starts from its initial state.
+/// Stress of a law after a step that starts from its initial state.
 template <class Law, class Real>
 [[nodiscard]] Tensor<Real> stress(const Law& law, const Tensor<Real>& velocity_gradient, Real density,
-                                  Real input = 1e-3, double dt = 1e-4) {
-  using Input = typename Law::template Input<Real>;
+                                  const typename Law::template Input<Real>& input, double dt) {
   const Deformation<Real> deformation{velocity_gradient, density};
-  return law.update(deformation, filled_with<Input>(input), initial_state<Law, Real>(), Real(dt)).stress;
+  return law.update(deformation, input, initial_state<Law, Real>(), Real(dt)).stress;
+}
+
+/// The same with ordinary inputs.
+template <class Law, class Real>
+[[nodiscard]] Tensor<Real> stress(const Law& law, const Tensor<Real>& velocity_gradient, Real density) {
+  return stress(law, velocity_gradient, density, typical_input<Law, Real>(), 1e-4);
+}
+
+/// The same with one number as every input, in SI.
+template <class Law, class Real>
+[[nodiscard]] Tensor<Real> stress(const Law& law, const Tensor<Real>& velocity_gradient, Real density,
+                                  Real input, double dt = 1e-4) {
+  using Input = typename Law::template Input<Real>;
+  return stress(law, velocity_gradient, density, filled_with<Input>(input), dt);
 }
 
 /// A point that a law is led along a path by.
@@ -43,11 +56,20 @@ struct Point {
   typename Law::template State<double> state = initial_state<Law>();
   Tensor<double> stress{};
 
-  void step(const Tensor<double>& velocity_gradient, double density, double dt, double input = 1e-3) {
-    using Input = typename Law::template Input<double>;
-    const auto response = law.update({velocity_gradient, density}, filled_with<Input>(input), state, dt);
+  using Input = typename Law::template Input<double>;
+
+  void step(const Tensor<double>& velocity_gradient, double density, double dt, const Input& input) {
+    const auto response = law.update({velocity_gradient, density}, input, state, dt);
     state = response.state;
     stress = response.stress;
+  }
+  /// With ordinary inputs.
+  void step(const Tensor<double>& velocity_gradient, double density, double dt) {
+    step(velocity_gradient, density, dt, typical_input<Law>());
+  }
+  /// With one number as every input, in SI.
+  void step(const Tensor<double>& velocity_gradient, double density, double dt, double input) {
+    step(velocity_gradient, density, dt, filled_with<Input>(input));
   }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/input_column.hpp>
 #include <scree/tensor.hpp>
 
 #include <array>
@@ -25,12 +26,6 @@ struct Response {
   /// What is left of the law's own equations, relative to their terms [-]: 0 where they have been solved, as
   /// a closed form always has; else the step must not be taken.
   Real unsolved{};
-};
-
-/// A column that a law reads.
-struct InputColumn {
-  std::string_view name;
-  std::string_view unit;  ///< SI; "-" if it has none
 };
 
 /// A column that a law keeps: one number of its memory.

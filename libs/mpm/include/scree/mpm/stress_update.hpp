@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/constitutive_law.hpp>
+#include <scree/mpm/law_inputs.hpp>
 #include <scree/mpm/particle_blocks.hpp>
 #include <scree/mpm/particles.hpp>
 
@@ -82,14 +83,15 @@ template <int D, int V>
 }
 
 /// The stress update by one constitutive law. Its inputs are columns found by name when it is built (one that
-/// is absent or in another unit is an InputError), its state becomes columns of their own, which begin at the
-/// law's initial values.
+/// is absent, in another unit or somewhere out of its range is an InputError), its state becomes columns of
+/// their own, which begin at the law's initial values.
 template <int D, int V, ConstitutiveLaw Law>
 class StressUpdateBy final : public StressUpdate<D, V> {
  public:
   StressUpdateBy(const Law& law, Particles<D, V>& particles) : law_{law} {
     for (std::size_t i = 0; i < num_inputs; ++i) {
       inputs_[i] = input_column(particles, Law::inputs[i]);
+      require_in_range(particles, inputs_[i], Law::inputs[i], Law::name);
     }
     for (std::size_t i = 0; i < num_states; ++i) {
       states_[i] = state_column(particles, Law::states[i]);

@@ -3,6 +3,7 @@
 #include <scree/constitutive_law.hpp>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -28,6 +29,23 @@ template <class Law, class Real = double>
 [[nodiscard]] constexpr typename Law::template State<Real> initial_state() {
   return made_of<typename Law::template State<Real>>(
       Law::states, [](const StateColumn& column) { return Real(column.initial); });
+}
+
+/// What a law reads, each number ordinary: for examples and tests.
+template <class Law, class Real = double>
+[[nodiscard]] constexpr typename Law::template Input<Real> typical_input() {
+  return made_of<typename Law::template Input<Real>>(
+      Law::inputs, [](const InputColumn& column) { return Real(column.typical); });
+}
+
+/// Checks every number that a law reads.
+/// @throws InputError for the first that is out of its range: law, column, value and range.
+template <class Law>
+void validate_input(const typename Law::template Input<double>& input) {
+  if constexpr (std::tuple_size_v < decltype(Law::inputs) >> 0) {
+    const auto numbers = std::bit_cast<std::array<double, Law::inputs.size()>>(input);
+    for (std::size_t i = 0; i < numbers.size(); ++i) require_in_range(Law::name, Law::inputs[i], numbers[i]);
+  }
 }
 
 }  // namespace scree::rheology

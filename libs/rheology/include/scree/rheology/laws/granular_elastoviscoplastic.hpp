@@ -27,7 +27,7 @@ struct GranularElastoviscoplastic {
   struct Input {
     Real grain_size;  ///< arithmetic mean s_a [m]
   };
-  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m"}}};
+  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m", 1e-3}}};
   template <class Real>
   using State = Symmetric<Real>;  ///< deviator of the Cauchy stress [Pa]
   static constexpr std::array<StateColumn, 6> states{{{"deviatoric_stress_xx", "Pa"},

@@ -28,7 +28,7 @@ struct KineticTheory {
   struct Input {
     Real grain_size;  ///< arithmetic mean, d [m]
   };
-  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m"}}};
+  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m", 1e-3}}};
   template <class Real>
   struct State {
     Real temperature;  ///< T, a third of the mean square of velocity fluctuations [m^2/s^2]

@@ -24,7 +24,8 @@ struct MixtureMuOfI {
     Real grain_size;       ///< arithmetic mean s_a [m]
     Real coarse_fraction;  ///< share of the coarse grains in the solid volume [-]
   };
-  static constexpr std::array<InputColumn, 2> inputs{{{"grain_size", "m"}, {"coarse_fraction", "-"}}};
+  static constexpr std::array<InputColumn, 2> inputs{
+      {{"grain_size", "m", 1e-3}, {"coarse_fraction", "-", 0.5, {.lower = 0, .upper = 1, .is_open = false}}}};
   template <class Real>
   struct State {};
   static constexpr std::array<StateColumn, 0> states{};

@@ -27,7 +27,7 @@ struct MuPhiOfI {
   struct Input {
     Real grain_size;  ///< arithmetic mean s_a [m]
   };
-  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m"}}};
+  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m", 1e-3}}};
   template <class Real>
   struct State {
     Real unloaded_volume;  ///< v, of the packing without pressure, over that at rest [-]

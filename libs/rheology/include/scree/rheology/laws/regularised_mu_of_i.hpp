@@ -22,7 +22,7 @@ struct RegularisedMuOfI {
   struct Input {
     Real grain_size;  ///< arithmetic mean s_a [m]
   };
-  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m"}}};
+  static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m", 1e-3}}};
   template <class Real>
   struct State {};
   static constexpr std::array<StateColumn, 0> states{};

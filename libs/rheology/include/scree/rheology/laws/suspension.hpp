@@ -22,7 +22,8 @@ struct Suspension {
   struct Input {
     Real maximum_packing;  ///< phi_max, solid fraction at which the local mix of sizes jams [-]
   };
-  static constexpr std::array<InputColumn, 1> inputs{{{"maximum_packing", "-"}}};
+  static constexpr std::array<InputColumn, 1> inputs{
+      {{"maximum_packing", "-", 0.64, {.lower = 0, .upper = 1}}}};
   template <class Real>
   struct State {};
   static constexpr std::array<StateColumn, 0> states{};

@@ -68,10 +68,12 @@ class PathPointOf final : public PathPoint {
   using State = typename Law::template State<double>;
 
   /// @param density at the start [kg/m^3]  @param input what the law reads: grain size, ..
+  /// @throws InputError naming law, parameter or column, value and bound, if one is out of its bound.
   PathPointOf(const Law& law, double density, const Input& input = {},
               const State& state = initial_state<Law>())
       : PathPoint{density}, law_{law}, input_{input}, state_{state} {
     validate(law);
+    validate_input<Law>(input);
     now.stress = answer({Tensor<double>{}, density}, 0).stress;
   }
 

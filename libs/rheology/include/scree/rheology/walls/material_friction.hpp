@@ -18,7 +18,7 @@ struct MaterialFriction {
   struct Input {
     Real friction;  ///< of the material at the wall: mu(I), or its shear stress at yield over p [-]
   };
-  static constexpr std::array<InputColumn, 1> inputs{{{"friction", "-"}}};
+  static constexpr std::array<InputColumn, 1> inputs{{{"friction", "-", 0.4}}};
 
   double share;  ///< of the material's friction [-]
 

@@ -25,7 +25,7 @@ struct PouliquenForterre {
     Real depth;       ///< h, of the layer, normal to the bed [m], not negative
     Real grain_size;  ///< arithmetic mean s_a [m], positive
   };
-  static constexpr std::array<InputColumn, 2> inputs{{{"depth", "m"}, {"grain_size", "m"}}};
+  static constexpr std::array<InputColumn, 2> inputs{{{"depth", "m", 0.1}, {"grain_size", "m", 1e-3}}};
 
   double mu_1;             ///< friction at which a layer of any depth stops [-]
   double mu_2;             ///< friction of the thinnest layer that stops [-]
