@@ -3,6 +3,7 @@
 
 #include <scree/mpm/stress_update.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -40,6 +41,24 @@ struct Coarse {
   }
 };
 static_assert(ConstitutiveLaw<Coarse>);
+
+/// A law with a kernel of its own, which says what it was called for; or none for the baseline.
+struct Kernelled : Coarse {
+  static constexpr std::string_view name = "kernelled";
+
+  static BlockStiffness run(const Kernelled& /*law*/, const LawBlock<Kernelled>& block, double dt) noexcept {
+    std::fill_n(block.stress[0], block.num_points, dt);
+    BlockStiffness report;
+    report.wave_speed = static_cast<double>(block.num_points);
+    report.unsolved = 0.5;
+    report.unsolved_point = 3;
+    return report;
+  }
+  [[nodiscard]] friend BlockKernel<Kernelled> block_kernel(const Kernelled& /*law*/,
+                                                           InstructionSet set) noexcept {
+    return set == InstructionSet::baseline ? nullptr : &run;
+  }
+};
 
 /// A law that never bears a pressure.
 struct Powder : Fluid {
@@ -165,6 +184,54 @@ TEST(StressUpdate, ReportsTheStiffestPoint) {
   EXPECT_EQ(stress.apply(sheared.particles, sheared.all(), 0.1).kinematic_viscosity, expected);
   EXPECT_EQ(stress.stiffness(sheared.particles).kinematic_viscosity, expected);
   EXPECT_EQ(stress.stiffness(sheared.particles).wave_speed, 1);
+}
+
+TEST(StressUpdate, RunsALawWithoutAKernelPointByPoint) {
+  Sheared<2, 2> sheared;
+  const StressUpdateBy<2, 2, Coarse> stress{{}, sheared.particles};
+
+  stress.apply(sheared.particles, sheared.all(), 0.1);
+
+  for (Index p = 0; p < 8; ++p) {
+    const Tensor<double> gradient = velocity_gradient_of(sheared.particles, p);
+    const double size = sheared.particles.column(sheared.grain_size).component(0)[p];
+    const auto alone =
+        Coarse{}.update({gradient, sheared.particles.density.component(0)[p]}, {size}, {0.25}, 0.1);
+    for (int c = 0; c < 4; ++c) {
+      const double expected = alone.stress(static_cast<std::size_t>(c % 2), static_cast<std::size_t>(c / 2));
+      // Products and sums may be contracted in one of the two: a few roundings of parts below 20 Pa.
+      EXPECT_NEAR(sheared.particles.stress.component(c)[p], expected, 8 * round_off * 20);
+    }
+  }
+}
+
+TEST(StressUpdate, LeavesABlockToTheKernelThatALawHas) {
+  Sheared<2, 2> sheared;
+  sheared.particles.resize(24);
+  std::ranges::fill(sheared.particles.column(sheared.grain_size).values(), 1);
+  const StressUpdateBy<2, 2, Kernelled> stress{{}, sheared.particles, InstructionSet::x86_64_v3};
+
+  const BlockStiffness report = stress.apply(sheared.particles, {{}, 8, 24}, 0.1);
+
+  EXPECT_EQ(report.wave_speed, 16);
+  EXPECT_EQ(report.unsolved, 0.5);
+  EXPECT_EQ(report.unsolved_point, 8 + 3);  // of all points
+  for (Index p = 0; p < 24; ++p) {
+    EXPECT_EQ(sheared.particles.stress.component(0)[p], p < 8 ? 0 : 0.1);
+    EXPECT_EQ(sheared.particles.stress.component(1)[p], 0);
+  }
+}
+
+TEST(StressUpdate, RunsALawWithoutAKernelForASetPointByPoint) {
+  Sheared<2, 2> one;
+  Sheared<2, 2> other;
+  const StressUpdateBy<2, 2, Kernelled> stress{{}, one.particles, InstructionSet::baseline};
+  const StressUpdateBy<2, 2, Coarse> generic{{}, other.particles};
+
+  stress.apply(one.particles, one.all(), 0.1);
+  generic.apply(other.particles, other.all(), 0.1);
+
+  EXPECT_TRUE(std::ranges::equal(one.particles.stress.values(), other.particles.stress.values()));
 }
 
 TEST(StressUpdate, TellsThePressureAndChangesNothing) {

@@ -60,10 +60,21 @@ struct Tensor {
     for (auto& component : components) component = component * factor;
     return *this;
   }
-  [[nodiscard]] friend constexpr Tensor operator+(Tensor a, const Tensor& b) noexcept { return a += b; }
-  [[nodiscard]] friend constexpr Tensor operator-(Tensor a, const Tensor& b) noexcept { return a -= b; }
-  [[nodiscard]] friend constexpr Tensor operator*(const Real& factor, Tensor a) noexcept {
-    return a *= factor;
+  // From components to components: a copy that is then added to would go through memory in packs.
+  [[nodiscard]] friend constexpr Tensor operator+(const Tensor& a, const Tensor& b) noexcept {
+    Tensor sum;
+    for (std::size_t i = 0; i < 9; ++i) sum.components[i] = a.components[i] + b.components[i];
+    return sum;
+  }
+  [[nodiscard]] friend constexpr Tensor operator-(const Tensor& a, const Tensor& b) noexcept {
+    Tensor difference;
+    for (std::size_t i = 0; i < 9; ++i) difference.components[i] = a.components[i] - b.components[i];
+    return difference;
+  }
+  [[nodiscard]] friend constexpr Tensor operator*(const Real& factor, const Tensor& a) noexcept {
+    Tensor product;
+    for (std::size_t i = 0; i < 9; ++i) product.components[i] = a.components[i] * factor;
+    return product;
   }
 };
 

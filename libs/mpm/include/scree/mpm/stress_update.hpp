@@ -1,9 +1,9 @@
 #pragma once
 
-#include <scree/constitutive_law.hpp>
 #include <scree/mpm/law_inputs.hpp>
 #include <scree/mpm/particle_blocks.hpp>
 #include <scree/mpm/particles.hpp>
+#include <scree/update_block.hpp>
 
 #include <algorithm>
 #include <array>
@@ -16,15 +16,8 @@
 
 namespace scree::mpm {
 
-/// The largest speed, viscosity and rate met in a block: what bounds the next step; and what its law could
-/// not solve.
-struct BlockStiffness {
-  double wave_speed = 0;           ///< [m/s]
-  double kinematic_viscosity = 0;  ///< viscosity over density [m^2/s]
-  double relaxation_rate = 0;      ///< [1/s]
-  double unsolved = 0;             ///< worst of its points, `Response::unsolved` [-]
-  Index unsolved_point = -1;       ///< that point
-};
+using scree::BlockStiffness;
+static_assert(pack_size % scree::pack_size == 0);  // blocks are whole packs of laws' kernels too
 
 /// Brings the stress of a block's points up to date with their motion; the law is chosen once, in here.
 template <int D, int V>
@@ -88,7 +81,9 @@ template <int D, int V>
 template <int D, int V, ConstitutiveLaw Law>
 class StressUpdateBy final : public StressUpdate<D, V> {
  public:
-  StressUpdateBy(const Law& law, Particles<D, V>& particles) : law_{law} {
+  /// @param set what the law's kernel is compiled for, if it has kernels; must run here
+  StressUpdateBy(const Law& law, Particles<D, V>& particles, InstructionSet set = widest_instruction_set())
+      : law_{law}, kernel_{kernel_of(law, set)} {
     for (std::size_t i = 0; i < num_inputs; ++i) {
       inputs_[i] = input_column(particles, Law::inputs[i]);
       require_in_range(particles, inputs_[i], Law::inputs[i], Law::name);
@@ -102,24 +97,9 @@ class StressUpdateBy final : public StressUpdate<D, V> {
 
   BlockStiffness apply(Particles<D, V>& particles, const ParticleBlock<D>& block,
                        double dt) const noexcept override {
-    BlockStiffness worst;
-    for (Index p = block.begin; p < block.end; ++p) {
-      const Deformation<double> deformation = deformation_of(particles, p);
-      const Input input = load<Input>(particles, inputs_, p);
-      const auto response = law_.update(deformation, input, load<State>(particles, states_, p), dt);
-      for (int j = 0; j < D; ++j) {
-        for (int i = 0; i < V; ++i) {
-          particles.stress.component(i + V * j)[p] =
-              response.stress(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
-        }
-      }
-      store(particles, response.state, p);
-      widen(worst, deformation, input, response.state);
-      if (response.unsolved > worst.unsolved) {
-        worst.unsolved = response.unsolved;
-        worst.unsolved_point = p;
-      }
-    }
+    SCREE_ASSERT((block.end - block.begin) % scree::pack_size == 0);
+    BlockStiffness worst = kernel_(law_, columns_of(particles, block), dt);
+    if (worst.unsolved > 0) worst.unsolved_point += block.begin;
     return worst;
   }
 
@@ -233,22 +213,37 @@ class StressUpdateBy final : public StressUpdate<D, V> {
     }
   }
 
-  void store(Particles<D, V>& particles, const State& state, Index p) const noexcept {
-    if constexpr (num_states > 0) {
-      const auto values = std::bit_cast<std::array<double, num_states>>(state);
-      for (std::size_t i = 0; i < num_states; ++i) particles.column(states_[i]).component(0)[p] = values[i];
+  /// What the law's kernel reads and writes. Components that space or velocity lack are read as zeros.
+  [[nodiscard]] LawBlock<Law> columns_of(Particles<D, V>& particles,
+                                         const ParticleBlock<D>& block) const noexcept {
+    LawBlock<Law> columns;
+    columns.num_points = block.end - block.begin;
+    for (int j = 0; j < D; ++j) {
+      for (int i = 0; i < V; ++i) {
+        const auto row_by_row = static_cast<std::size_t>(3 * i + j);
+        columns.velocity_gradient[row_by_row] = {
+            particles.velocity_gradient.component(i + V * j) + block.begin, 1};
+        columns.stress[row_by_row] = particles.stress.component(i + V * j) + block.begin;
+      }
     }
+    columns.density = particles.density.component(0) + block.begin;
+    for (std::size_t i = 0; i < num_inputs; ++i) {
+      columns.inputs[i] = particles.column(inputs_[i]).component(0) + block.begin;
+    }
+    for (std::size_t i = 0; i < num_states; ++i) {
+      columns.states[i] = particles.column(states_[i]).component(0) + block.begin;
+    }
+    return columns;
   }
 
   void widen(BlockStiffness& worst, const Deformation<double>& deformation, const Input& input,
              const State& state) const noexcept {
     const Stiffness<double> here = law_.stiffness(deformation, input, state);
-    worst.wave_speed = std::max(worst.wave_speed, here.wave_speed);
-    worst.kinematic_viscosity = std::max(worst.kinematic_viscosity, here.viscosity / deformation.density);
-    worst.relaxation_rate = std::max(worst.relaxation_rate, here.relaxation_rate);
+    worst.widen({here.wave_speed, here.viscosity / deformation.density, here.relaxation_rate});
   }
 
   Law law_;
+  BlockKernel<Law> kernel_;
   std::array<std::size_t, num_inputs> inputs_{};
   std::array<std::size_t, num_states> states_{};
 };

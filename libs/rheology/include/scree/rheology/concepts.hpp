@@ -1,10 +1,12 @@
 #pragma once
 
-#include <scree/constitutive_law.hpp>
+#include <scree/law_block.hpp>
+#include <scree/rheology/block_kernel.hpp>
 #include <scree/rheology/parameters.hpp>
 #include <scree/wall_law.hpp>
 
 #include <concepts>
+#include <cstddef>
 #include <string_view>
 #include <type_traits>
 
@@ -36,6 +38,18 @@ inline constexpr bool disconnects = [] {
     return Law::disconnects;
   } else {
     return true;
+  }
+}();
+
+/// How many points a law's kernel computes at once, where registers are as wide: a whole pack, unless the law
+/// was measured to be faster in fewer and says `static constexpr std::size_t most_lanes`. Between the lanes
+/// of exp, log and pow, which are computed one by one, wider registers have to be put away.
+template <class Law>
+inline constexpr std::size_t most_lanes = [] {
+  if constexpr (requires { Law::most_lanes; }) {
+    return Law::most_lanes;
+  } else {
+    return static_cast<std::size_t>(pack_size);
   }
 }();
 

@@ -6,13 +6,14 @@
 
 namespace scree::rheology {
 
-/// Pressure of a weakly compressible material [Pa], compression positive.  Eq. (R1)
+/// Pressure of a weakly compressible material [Pa], compression positive; exactly zero at rho_0, so that it
+/// does not depend on how a compiler rounds whether material at rest is connected.  Eqs. (R1), (R5)
 /// @param density rho [kg/m^3]  @param reference_density rho_0, at which p = 0 [kg/m^3]
 /// @param bulk_modulus K [Pa]
 template <class Real>
 [[nodiscard]] constexpr Real pressure(const Real& density, double reference_density,
                                       double bulk_modulus) noexcept {
-  return bulk_modulus * (density * (1 / reference_density) - 1.0);
+  return (bulk_modulus / reference_density) * (density - reference_density);
 }
 
 /// The pressure where grains touch, zero where they do not [Pa]: what friction may be made from.  Eq. (R5)

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -22,6 +23,7 @@ namespace scree::rheology {
 struct DruckerPrager {
   static constexpr std::string_view name = "drucker_prager";
   static constexpr std::string_view summary = "cohesionless sand at large strain, without rate";
+  static constexpr std::size_t most_lanes = 4;  // measured
 
   template <class Real>
   struct Input {};

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -17,6 +18,7 @@ namespace scree::rheology {
 struct RegularisedMuOfI {
   static constexpr std::string_view name = "regularised_mu_of_i";
   static constexpr std::string_view summary = "dense granular flow, mu(I) made well posed (Barker & Gray)";
+  static constexpr std::size_t most_lanes = 4;  // measured
 
   template <class Real>
   struct Input {

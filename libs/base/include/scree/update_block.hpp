@@ -1,0 +1,127 @@
+#pragma once
+
+#include <scree/law_block.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <utility>
+
+namespace scree {
+
+namespace detail {
+
+/// How many numbers Real is: double is one. A pack is numbers and nothing else.
+template <class Real>
+inline constexpr std::size_t num_lanes = sizeof(Real) / sizeof(double);
+
+template <class Real>
+[[nodiscard]] Real loaded(const double* values) noexcept {
+  Real result;
+  std::memcpy(static_cast<void*>(&result), values, sizeof(Real));
+  return result;
+}
+
+/// An aggregate of Real, a member from each column.
+template <class Aggregate, class Real, class Pointer, std::size_t N>
+[[nodiscard]] Aggregate loaded_from(const std::array<Pointer, N>& columns, Index p) noexcept {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return Aggregate{loaded<Real>(columns[I] + p)...};
+  }
+  (std::make_index_sequence<N>{});
+}
+
+/// Stores each member of an aggregate of Real in its column, if there is one: member by member, for a copy of
+/// all at once, or a loop over them, would go through memory.
+template <class Real, class Aggregate, std::size_t N>
+void store_members(const Aggregate& aggregate, const std::array<double*, N>& columns, Index p) noexcept {
+  static_assert(N == 0 || sizeof(Aggregate) == N * sizeof(Real));
+  const auto store = [&](std::size_t i) {
+    const auto* member = reinterpret_cast<const double*>(&aggregate) + i * num_lanes<Real>;
+    const Real value = loaded<Real>(member);
+    if (columns[i] != nullptr) std::memcpy(columns[i] + p, static_cast<const void*>(&value), sizeof(Real));
+  };
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (store(I), ...);
+  }
+  (std::make_index_sequence<N>{});
+}
+
+/// The largest numbers met in each lane.
+template <class Real>
+struct LaneMaxima {
+  Real wave_speed{};
+  Real kinematic_viscosity{};
+  Real relaxation_rate{};
+  Real unsolved{};
+  Real unsolved_pack{-1.0};  ///< first point of the pack that was so
+
+  void widen(const Stiffness<Real>& here, const Real& density, const Real& here_unsolved, Index p) noexcept {
+    const auto larger = [](const Real& a, const Real& b) { return select(a > b, a, b); };
+    wave_speed = larger(here.wave_speed, wave_speed);
+    kinematic_viscosity = larger(here.viscosity / density, kinematic_viscosity);
+    relaxation_rate = larger(here.relaxation_rate, relaxation_rate);
+    unsolved_pack = select(here_unsolved > unsolved, Real(static_cast<double>(p)), unsolved_pack);
+    unsolved = larger(here_unsolved, unsolved);
+  }
+
+  /// Those of all lanes.
+  [[nodiscard]] BlockStiffness reduced() const noexcept {
+    const auto lanes = [](const Real& number) {
+      std::array<double, num_lanes<Real>> result;
+      std::memcpy(result.data(), static_cast<const void*>(&number), sizeof(Real));
+      return result;
+    };
+    BlockStiffness result;
+    for (std::size_t lane = 0; lane < num_lanes<Real>; ++lane) {
+      result.widen({lanes(wave_speed)[lane], lanes(kinematic_viscosity)[lane], lanes(relaxation_rate)[lane],
+                    lanes(unsolved)[lane],
+                    static_cast<Index>(lanes(unsolved_pack)[lane]) + static_cast<Index>(lane)});
+    }
+    return result;
+  }
+};
+
+}  // namespace detail
+
+/// Brings the points of a block up to date, as many at once as Real has lanes: what a kernel is made of, and
+/// what runs a law that has none. Each point gets the bits that it would get alone, for one instruction set
+/// and contraction of products and sums.
+/// @tparam Real double, or a pack of up to `pack_size` doubles (std::experimental::simd)
+/// @see BlockKernel
+template <class Real, class Law>
+[[gnu::flatten]] BlockStiffness update_block(const Law& law, const LawBlock<Law>& block, double dt) noexcept {
+  using Input = typename Law::template Input<Real>;
+  using State = typename Law::template State<Real>;
+  static_assert(pack_size % detail::num_lanes<Real> == 0);
+  const Law parameters = law;  // a copy, which the columns that are written cannot be part of
+  detail::LaneMaxima<Real> worst;
+  for (Index p = 0; p < block.num_points; p += static_cast<Index>(detail::num_lanes<Real>)) {
+    Deformation<Real> deformation{};
+    for (std::size_t i = 0; i < 9; ++i) {
+      const BlockColumn& column = block.velocity_gradient[i];
+      deformation.velocity_gradient.components[i] = detail::loaded<Real>(column.values + column.step * p);
+    }
+    deformation.density = detail::loaded<Real>(block.density + p);
+    const auto input = detail::loaded_from<Input, Real>(block.inputs, p);
+    const auto old = detail::loaded_from<State, Real>(block.states, p);
+    const auto response = parameters.update(deformation, input, old, Real(dt));
+    worst.widen(parameters.stiffness(deformation, input, response.state), deformation.density,
+                response.unsolved, p);
+    detail::store_members<Real>(response.state, block.states, p);
+    detail::store_members<Real>(response.stress.components, block.stress, p);
+  }
+  return worst.reduced();
+}
+
+/// A law's own kernel for an instruction set: `block_kernel(law, set)`, a function beside the law that
+/// argument-dependent lookup finds. A law that has none, or a null one, runs point by point.
+template <class Law>
+[[nodiscard]] BlockKernel<Law> kernel_of(const Law& law, InstructionSet set) noexcept {
+  if constexpr (requires { block_kernel(law, set); }) {
+    if (const BlockKernel<Law> kernel = block_kernel(law, set)) return kernel;
+  }
+  return &update_block<double, Law>;
+}
+
+}  // namespace scree

@@ -1,0 +1,227 @@
+// The kernel of every law for every instruction set that runs here, against the law point by point.
+
+#include "law_in_blocks.hpp"
+
+#include <scree/rheology/laws.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
+namespace scree::rheology {
+namespace {
+
+constexpr double time_step = 1e-3;  // [s]
+constexpr std::size_t num_points = 16;
+
+template <class... Laws>
+[[nodiscard]] std::vector<LawInBlocks> each(std::type_identity<std::variant<Laws...>> /*list*/) {
+  return {in_blocks<Laws>()...};
+}
+
+class EveryLawInBlocks : public ::testing::TestWithParam<LawInBlocks> {
+ protected:
+  const LawInBlocks& law = GetParam();
+
+  /// Points of unlike density, gradient and size, in their third step.
+  [[nodiscard]] Numbers some_points() const {
+    Numbers numbers(law.num_arguments() + 9, std::vector<double>(num_points));
+    const auto gradients = velocity_gradients();
+    for (std::size_t p = 0; p < num_points; ++p) {
+      for (std::size_t i = 0; i < 9; ++i) numbers[i][p] = gradients[p % 8].components[i];
+      numbers[LawInBlocks::density][p] = law.densities[(p + p / 8) % 4];
+      const double times = 1 - static_cast<double>(p) / 32;
+      for (std::size_t i = 0; i < law.inputs.size(); ++i) numbers[10 + i][p] = times * law.inputs[i];
+      for (std::size_t i = 0; i < law.states.size(); ++i) numbers[law.first_state() + i][p] = law.states[i];
+    }
+    for (int n = 0; n < 2; ++n) law.update_by_points(numbers, time_step);
+    return numbers;
+  }
+
+  /// What rounding may do to each number in a step.
+  ///
+  /// An operation errs like a relative change of what it works on by `round_off`. So a number errs by the
+  /// number of operations times `round_off` times what it changes by per relative change of each argument,
+  /// and of itself: of the largest component, if it is one of a tensor, which is summed from parts as large.
+  /// The longest way through a law is an eigen-system, fifteen rotations of some ten operations, and as many
+  /// operations around it.
+  [[nodiscard]] Numbers rounding(const Numbers& before) const {
+    constexpr double num_operations = 300;
+    constexpr double change = 1e-7;  // small against what any law bends over, large against rounding
+    Numbers after = before;
+    law.update_by_points(after, time_step);
+    Numbers error = sizes(after);
+    for (std::size_t i = 0; i < law.num_arguments(); ++i) {
+      Numbers less = before;
+      Numbers more = before;
+      for (double& number : less[i]) number *= 1 - change;
+      for (double& number : more[i]) number *= 1 + change;
+      law.update_by_points(less, time_step);
+      law.update_by_points(more, time_step);
+      for (std::size_t k = 0; k < error.size(); ++k) {
+        for (std::size_t p = 0; p < num_points; ++p) {
+          error[k][p] +=
+              std::max(std::abs(less[k][p] - after[k][p]), std::abs(more[k][p] - after[k][p])) / change;
+        }
+      }
+    }
+    for (auto& column : error) {
+      for (double& e : column) e *= num_operations * round_off;
+    }
+    return error;
+  }
+
+ private:
+  /// The magnitude of each number: of the largest component of the stress, and of the states of one unit.
+  [[nodiscard]] Numbers sizes(const Numbers& numbers) const {
+    Numbers result = numbers;
+    const auto are_of_one_tensor = [&](std::size_t k, std::size_t other) {
+      const std::size_t stress = law.num_arguments();
+      if (k >= stress || other >= stress) return k >= stress && other >= stress;
+      if (k < law.first_state() || other < law.first_state()) return k == other;
+      return law.units_of_state[k - law.first_state()] == law.units_of_state[other - law.first_state()];
+    };
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      for (std::size_t p = 0; p < num_points; ++p) {
+        result[k][p] = 0;
+        for (std::size_t other = 0; other < numbers.size(); ++other) {
+          if (are_of_one_tensor(k, other)) result[k][p] = std::max(result[k][p], std::abs(numbers[other][p]));
+        }
+      }
+    }
+    return result;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(List, EveryLawInBlocks, ::testing::ValuesIn(each(std::type_identity<AnyLaw>{})),
+                         [](const auto& entry) { return entry.param.name; });
+
+TEST_P(EveryLawInBlocks, HasAKernel) {
+  for (const InstructionSet set : instruction_sets()) EXPECT_TRUE(law.has_kernel(set)) << name_of(set);
+}
+
+TEST_P(EveryLawInBlocks, IsUpdatedLikeItsPoints) {
+  const Numbers before = some_points();
+  const Numbers error = rounding(before);
+  Numbers expected = before;
+  law.update_by_points(expected, time_step);
+  for (const InstructionSet set : instruction_sets()) {
+    SCOPED_TRACE(name_of(set));
+    Numbers numbers = before;
+
+    const BlockStiffness report = law.update(set, numbers, time_step, false);
+
+    EXPECT_EQ(report.unsolved, 0);
+    EXPECT_EQ(report.unsolved_point, -1);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      for (std::size_t p = 0; p < num_points; ++p) {
+        EXPECT_NEAR(numbers[k][p], expected[k][p], error[k][p]) << "column " << k << ", point " << p;
+      }
+    }
+  }
+}
+
+/// A point is computed alike in each lane: it does not matter where it is sorted to.
+TEST_P(EveryLawInBlocks, GivesAPointTheSameBitsInEachLane) {
+  for (const InstructionSet set : instruction_sets()) {
+    SCOPED_TRACE(name_of(set));
+    Numbers numbers = some_points();
+    Numbers turned = numbers;
+    const auto turn = [](std::vector<double>& column) { std::ranges::rotate(column, column.begin() + 5); };
+    std::ranges::for_each(turned, turn);
+
+    law.update(set, numbers, time_step, false);
+    law.update(set, turned, time_step, false);
+
+    std::ranges::for_each(numbers, turn);
+    EXPECT_EQ(turned, numbers);
+  }
+}
+
+/// Against blocks that hold one of the points eight times, for which the largest is its own.
+TEST_P(EveryLawInBlocks, ReportsTheLargestOfItsPoints) {
+  for (const InstructionSet set : instruction_sets()) {
+    SCOPED_TRACE(name_of(set));
+    Numbers numbers = some_points();
+    BlockStiffness largest;
+    for (std::size_t p = 0; p < num_points; ++p) {
+      Numbers alike;
+      for (const auto& column : numbers) alike.emplace_back(static_cast<std::size_t>(pack_size), column[p]);
+      largest.widen(law.update(set, alike, time_step, false));
+    }
+
+    const BlockStiffness report = law.update(set, numbers, time_step, false);
+
+    EXPECT_EQ(report.wave_speed, largest.wave_speed);
+    EXPECT_EQ(report.kinematic_viscosity, largest.kinematic_viscosity);
+    EXPECT_EQ(report.relaxation_rate, largest.relaxation_rate);
+    EXPECT_GT(report.wave_speed, 0);
+  }
+}
+
+/// Plane strain: the components that are not there are read as zeros, and not written.
+TEST_P(EveryLawInBlocks, ReadsZerosWhereARunHasNoComponent) {
+  for (const InstructionSet set : instruction_sets()) {
+    SCOPED_TRACE(name_of(set));
+    Numbers numbers = some_points();
+    for (const std::size_t i : {2U, 5U, 6U, 7U, 8U}) std::ranges::fill(numbers[i], 0);
+    Numbers plane = numbers;
+    const Numbers before = numbers;
+
+    law.update(set, numbers, time_step, false);
+    law.update(set, plane, time_step, true);
+
+    for (const std::size_t i : {0U, 1U, 3U, 4U}) {
+      EXPECT_EQ(plane[law.num_arguments() + i], numbers[law.num_arguments() + i]);
+    }
+    for (const std::size_t i : {2U, 5U, 6U, 7U, 8U}) {
+      EXPECT_EQ(plane[law.num_arguments() + i], before[law.num_arguments() + i]);
+    }
+  }
+}
+
+/// Beyond close packing the kinetic theory has no solution.
+TEST(BlockKernel, NamesThePointThatItCouldNotSolve) {
+  const KineticTheory typical_law = typical<KineticTheory>();
+  const LawInBlocks law = in_blocks<KineticTheory>();
+  const auto report_of = [&](InstructionSet set, auto fraction_at) {
+    Numbers numbers(law.num_arguments() + 9, std::vector<double>(num_points, 1e-3));
+    for (std::size_t p = 0; p < num_points; ++p) numbers[9][p] = fraction_at(p) * typical_law.grain_density;
+    return law.update(set, numbers, time_step, false);
+  };
+  for (const InstructionSet set : instruction_sets()) {
+    SCOPED_TRACE(name_of(set));
+    for (std::size_t worst = 0; worst < num_points; ++worst) {
+      const BlockStiffness report = report_of(set, [&](std::size_t p) {
+        return p == worst ? 0.70 : p == (worst + 3) % num_points ? 0.65 : 0.4;
+      });
+
+      EXPECT_EQ(report.unsolved_point, static_cast<Index>(worst));
+      EXPECT_NEAR(report.unsolved, 0.70 / typical_law.close_packing, 6 * round_off);  // five roundings
+    }
+    const BlockStiffness of_equals = report_of(set, [](std::size_t p) { return p % 5 == 4 ? 0.7 : 0.4; });
+    EXPECT_EQ(of_equals.unsolved_point, 4);  // the first
+  }
+}
+
+/// A law that is one of the list in all but its update.
+struct Halved : Newtonian {
+  template <class Real>
+  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
+                                                   const Input<Real>& input, const State<Real>& old,
+                                                   Real dt) const noexcept {
+    return {Real(0.5) * Newtonian::update(deformation, input, old, dt).stress, {}};
+  }
+};
+
+TEST(BlockKernel, IsNotThatOfABase) {
+  const Halved law{typical<Newtonian>()};
+
+  EXPECT_EQ(block_kernel(law, InstructionSet::baseline), nullptr);
+  EXPECT_EQ(kernel_of(law, InstructionSet::baseline), (&update_block<double, Halved>));
+}
+
+}  // namespace
+}  // namespace scree::rheology
