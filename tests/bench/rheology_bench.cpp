@@ -1,11 +1,11 @@
-// Every law over columns of points that stay in cache: one point at a time, and in packs of several widths.
-// The rate is in point updates: its inverse is the time per point.
+// Every law over a block of points that stays in cache: by the kernel for each instruction set that runs
+// here, and point by point as this program is compiled. The rate is in point updates: its inverse is the time
+// per point.
 
 #include "../rheology/points.hpp"
-#include "packs.hpp"
 
-#include <scree/rheology/batch.hpp>
 #include <scree/rheology/laws.hpp>
+#include <scree/update_block.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -24,7 +24,7 @@ using namespace scree::rheology;
 template <class Law>
 struct Points {
   static constexpr std::size_t size = 136;  // in the first cache, and no power of two: columns would collide
-  static constexpr std::size_t num_columns = 9 + 1 + Law::inputs.size() + Law::states.size() + 6;
+  static constexpr std::size_t num_columns = 9 + 1 + Law::inputs.size() + Law::states.size() + 9;
   alignas(64) std::array<double, num_columns * size> numbers{};
 
   explicit Points(const Law& law) {
@@ -37,28 +37,29 @@ struct Points {
     }
   }
 
-  [[nodiscard]] std::span<double> column(std::size_t i) { return {numbers.data() + i * size, size}; }
-  [[nodiscard]] std::span<double> state(std::size_t i) { return column(10 + Law::inputs.size() + i); }
+  [[nodiscard]] double* column(std::size_t i) { return numbers.data() + i * size; }
+  [[nodiscard]] double* state(std::size_t i) { return column(10 + Law::inputs.size() + i); }
 
-  [[nodiscard]] LawColumns<Law> columns() {
-    LawColumns<Law> result;
-    for (std::size_t i = 0; i < 9; ++i) result.velocity_gradient[i] = column(i);
+  [[nodiscard]] LawBlock<Law> block() {
+    LawBlock<Law> result;
+    result.num_points = static_cast<Index>(size);
+    for (std::size_t i = 0; i < 9; ++i) result.velocity_gradient[i] = {column(i), 1};
     result.density = column(9);
     for (std::size_t i = 0; i < Law::inputs.size(); ++i) result.inputs[i] = column(10 + i);
-    for (std::size_t i = 0; i < Law::states.size(); ++i) result.old_states[i] = result.states[i] = state(i);
-    for (std::size_t i = 0; i < 6; ++i) result.stress[i] = state(Law::states.size() + i);
+    for (std::size_t i = 0; i < Law::states.size(); ++i) result.states[i] = state(i);
+    for (std::size_t i = 0; i < 9; ++i) result.stress[i] = state(Law::states.size() + i);
     return result;
   }
 };
 
-template <class Law, class Real>
-void update(benchmark::State& state) {
+template <class Law>
+void update(benchmark::State& state, BlockKernel<Law> kernel) {
   const Law law = typical<Law>();
   Points<Law> points{law};
-  const LawColumns<Law> columns = points.columns();
+  const LawBlock<Law> block = points.block();
 
   for (auto _ : state) {
-    benchmark::DoNotOptimize(update_batch<Real>(law, columns, 1e-4));
+    benchmark::DoNotOptimize(kernel(law, block, 1e-4));
     benchmark::ClobberMemory();
   }
 
@@ -72,11 +73,11 @@ void update(benchmark::State& state) {
 template <class Law>
 void register_law() {
   const std::string name{Law::name};
-  benchmark::RegisterBenchmark((name + "/double").c_str(), update<Law, double>);
-  benchmark::RegisterBenchmark((name + "/pack:1").c_str(), update<Law, testing::Pack<1>>);
-  benchmark::RegisterBenchmark((name + "/pack:2").c_str(), update<Law, testing::Pack<2>>);
-  benchmark::RegisterBenchmark((name + "/pack:4").c_str(), update<Law, testing::Pack<4>>);
-  benchmark::RegisterBenchmark((name + "/pack:8").c_str(), update<Law, testing::Pack<8>>);
+  benchmark::RegisterBenchmark((name + "/points").c_str(), update<Law>, &update_block<double, Law>);
+  for (const InstructionSet set : instruction_sets()) {
+    benchmark::RegisterBenchmark((name + '/' + std::string{name_of(set)}).c_str(), update<Law>,
+                                 block_kernel(typical<Law>(), set));
+  }
 }
 
 template <class... Laws>
