@@ -124,6 +124,7 @@ void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads thr
   require_solved(state, stages);
   move_nodes(state, stages, dt, threads);
   gather(state, stages, dt, threads);
+  for (const auto& boundary : stages.boundaries) boundary->advance(dt);
   reduce(state);
   if (state.needs_sort) sort(state, stages, threads);
 }

@@ -19,6 +19,8 @@ class Boundary {
   virtual void hold(Nodes<D>& nodes, double dt) const noexcept = 0;
   /// When all boundaries hold: sets the velocities of nodes outside.
   virtual void reflect(Nodes<D>& nodes) const noexcept = 0;
+  /// At the end of the step: a boundary that moves goes on by dt [s].
+  virtual void advance(double /*dt*/) noexcept {}
 };
 
 }  // namespace scree::mpm
