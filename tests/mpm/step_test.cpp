@@ -105,6 +105,44 @@ TEST(Step, GivesTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
+/// Solves nothing, but might: so that all nodes stay in use.
+class NothingToSolve final : public NodeSolve<2, 2> {
+ public:
+  void solve(const Particles<2>&, Nodes<2>&, double, double) override {}
+};
+
+TEST(Step, NeedsNoOtherNodesThanThoseNearPoints) {
+  const auto thrown = [](bool with_all_nodes, int num_steps) {
+    const auto grid = cube<2>(60, 0.1, false);
+    auto particles = scattered<2>(grid, 300, 2.6);  // [m]: eight cells of sixty
+    for (Index p = 0; p < particles.size(); ++p) particles.velocity.component(0)[p] = 1;
+    auto stages = stages_of<2, 2>(particles, Quadratic{}, PicFlip{}, mud);
+    stages.gravity = {0, -2};
+    for (const int axis : {0, 1}) {
+      stages.boundaries.push_back(make_wall<2>(NoSlip{}, axis, Side::low));
+      stages.boundaries.push_back(make_wall<2>(Slip{}, axis, Side::high));
+    }
+    if (with_all_nodes) stages.node_solve = std::make_unique<NothingToSolve>();
+    auto state = start(std::move(particles), grid, stages, one_thread);
+    for (int n = 0; n < num_steps; ++n) step(state, stages, 2e-3, one_thread);
+    return state;
+  };
+
+  const auto count = [](const State<2, 2>& state) {
+    Index nodes = 0;
+    for (Index b = 0; b < state.nodes.num_batches(); ++b) {
+      for (const NodeRun& run : state.nodes.batch(b)) nodes += run.end - run.begin;
+    }
+    return nodes;
+  };
+  EXPECT_LT(count(thrown(false, 0)),
+            count(thrown(true, 0)) / 4);  // nine blocks with their halo, 28^2 nodes at most, of 63^2
+
+  const auto some = thrown(false, 1500);  // it flies, lands and slides
+  const auto all = thrown(true, 1500);
+  expect_same_bits(some.particles, all.particles);
+}
+
 TEST(Step, GoesOnFromStoredColumnsAndBlocksAsIfNeverStopped) {
   Stirred whole;
   whole.advance(30, one_thread);

@@ -31,6 +31,14 @@ void sort(State<D, V>& state, const Stages<D, V>& stages, Threads threads) {
   state.blocks = cell_sort(state.particles, state.nodes.grid(), stages.transfer->stencil_shift(), threads);
   state.block_results.resize(state.blocks.blocks.size());
   state.needs_sort = false;
+  if (stages.node_solve) return;  // which may move any node
+  std::vector<Indices<D>> corners;
+  corners.reserve(state.blocks.blocks.size());
+  for (const ParticleBlock<D>& block : state.blocks.blocks) {
+    corners.push_back(block.first_cell);
+    for (Index& node : corners.back()) --node;
+  }
+  state.nodes.use(corners, stages.transfer->tile_edge());
 }
 
 template <int D, int V>
@@ -129,26 +137,49 @@ void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads thr
   if (state.needs_sort) sort(state, stages, threads);
 }
 
+namespace {
+
+/// What all nodes share in a step.
+struct Advance {
+  std::array<double, 3> fall{};  ///< dt g, zero where there is no such velocity [m/s]
+  double dt;                     ///< [s]
+  double mass_floor;             ///< [kg]
+};
+
+/// Three velocities whatever their number: the places of others are zero and stay so.
+template <bool has_increment>
+void advance_node(double* node, const Advance& by) noexcept {
+  const bool moves = node[NodeRecord::mass] > by.mass_floor;
+  const double inverse_mass = moves ? 1 / node[NodeRecord::mass] : 0;
+  const double falls = moves ? 1 : 0;
+  for (int i = 0; i < 3; ++i) {
+    double increment = falls * by.fall[static_cast<std::size_t>(i)];
+    if constexpr (has_increment) {
+      double& force = node[NodeRecord::increment() + i];
+      increment += by.dt * inverse_mass * force;
+      force = increment;
+    }
+    double& velocity = node[NodeRecord::momentum + i];
+    velocity = inverse_mass * velocity + increment;
+  }
+}
+
+}  // namespace
+
 template <int D>
 void advance_momentum(Nodes<D>& nodes, const double* gravity, double dt, double mass_floor, Threads threads) {
-  constexpr Index nodes_per_block = 4096;
   const NodeRecord layout = nodes.record();
-  const Index num_blocks = (nodes.num_nodes() + nodes_per_block - 1) / nodes_per_block;
-  for_each_block(num_blocks, threads, [&](Index block) {
-    const Index end = std::min(nodes.num_nodes(), (block + 1) * nodes_per_block);
-    for (Index n = block * nodes_per_block; n < end; ++n) {
-      double* node = nodes[n];
-      const bool moves = node[NodeRecord::mass] > mass_floor;
-      const double inverse_mass = moves ? 1 / node[NodeRecord::mass] : 0;
-      for (int i = 0; i < layout.num_velocities; ++i) {
-        double& velocity = node[NodeRecord::momentum + i];
-        velocity *= inverse_mass;
-        double increment = moves ? dt * gravity[i] : 0;
-        if (layout.has_increment) {
-          increment += dt * inverse_mass * node[layout.increment() + i];
-          node[layout.increment() + i] = increment;
-        }
-        velocity += increment;
+  Advance by{.dt = dt, .mass_floor = mass_floor};
+  for (int i = 0; i < layout.num_velocities; ++i) {
+    by.fall[static_cast<std::size_t>(i)] = dt * gravity[i];
+  }
+  for_each_block(nodes.num_batches(), threads, [&](Index batch) {
+    for (const NodeRun& run : nodes.batch(batch)) {
+      double* const end = nodes[run.end];
+      if (layout.has_increment) {
+        for (double* node = nodes[run.begin]; node != end; node += 8) advance_node<true>(node, by);
+      } else {
+        for (double* node = nodes[run.begin]; node != end; node += 4) advance_node<false>(node, by);
       }
     }
   });

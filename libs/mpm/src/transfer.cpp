@@ -38,6 +38,9 @@ class TransferBy final : public Transfer<D, V> {
 
   [[nodiscard]] NodeRecord record() const noexcept override { return record_; }
   [[nodiscard]] double stencil_shift() const noexcept override { return shift_; }
+  [[nodiscard]] Index tile_edge() const noexcept override {
+    return block_edge<D> + static_cast<Index>(support_) + 1;
+  }
 
   void scatter(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
                double dt) const noexcept override {
@@ -88,7 +91,7 @@ class TransferBy final : public Transfer<D, V> {
                                             Value* values) const noexcept {
     TileNodes<D, Value> tile;
     tile.values = values;
-    const auto edge = static_cast<std::size_t>(block_edge<D>) + support_ + 1;
+    const auto edge = static_cast<std::size_t>(tile_edge());
     for (std::size_t axis = 0; axis < D; ++axis) {
       for (std::size_t i = 0; i < edge; ++i) {
         const Index place = nodes.place(block.first_cell[axis] - 1 + static_cast<Index>(i), axis);

@@ -145,7 +145,7 @@ template <int V>
 /// Sets down mass and momentum as one four, and for each axis slopes and forces as others.
 template <TransferRule Rule, int D, int V, bool has_force>
 inline void keep(const Given<Pack, D, V>& given, PackGiven<D, has_force>& kept) noexcept {
-  constexpr std::ptrdiff_t stride = (1 + D) * 4;
+  constexpr Index stride = Index{4} * (1 + D);
   to_fours({given.mass, component<V>(given.momentum, 0), component<V>(given.momentum, 1),
             component<V>(given.momentum, 2)},
            kept.momentum[0][0], stride);
@@ -235,7 +235,7 @@ inline void gather_lane(const PackStencils<D, S>& stencils, int lane, const Stri
 
 template <TransferRule Rule, int D, int V>
 [[nodiscard]] inline Taken<Pack, D, V> taken_by(const PackTaken<D>& kept) noexcept {
-  constexpr std::ptrdiff_t stride = (1 + D) * 4;
+  constexpr Index stride = Index{4} * (1 + D);
   Taken<Pack, D, V> taken;
   Pack fields[4];
   from_fours(kept.velocity[0][0], stride, fields);

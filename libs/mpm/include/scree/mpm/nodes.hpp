@@ -4,12 +4,24 @@
 #include <scree/mpm/node_record.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace scree::mpm {
 
+/// Which end of an axis.
+enum class Side { low, high };
+
+/// Nodes that follow each other in the numbering.
+struct NodeRun {
+  Index begin = 0;
+  Index end = 0;  ///< one past the last
+};
+
 /// The nodes of a grid with one record each. Past a wall stands one layer of image nodes; a periodic axis has
-/// none, its nodes repeat.
+/// none, its nodes repeat. Only those in use cost time: at first all are.
 template <int D>
 class Nodes {
  public:
@@ -23,7 +35,14 @@ class Nodes {
       product *= count_[axis];
     }
     values_.assign(static_cast<std::size_t>(product * record.size()), 0.0);
+    runs_ = {{0, product}};
+    find_batches();
+    find_images();
   }
+
+  /// Takes into use the nodes of boxes and, beside nodes on walls, their images; clears all others for good.
+  /// @param corners lowest node of each box  @param edge nodes of a box along each axis
+  void use(std::span<const Indices<D>> corners, Index edge);
 
   /// Layers of image nodes past a wall: enough for a support of three nodes.
   static constexpr Index num_images = 1;
@@ -53,15 +72,36 @@ class Nodes {
     return values_.data() + node * record_.size();
   }
 
-  void clear() noexcept { std::fill(values_.begin(), values_.end(), 0.0); }
+  /// The nodes in use, ascending, in batches of about as much work each.
+  [[nodiscard]] Index num_batches() const noexcept { return static_cast<Index>(batches_.size()) - 1; }
+  [[nodiscard]] std::span<const NodeRun> batch(Index number) const noexcept {
+    const auto n = static_cast<std::size_t>(number);
+    return std::span{runs_}.subspan(batches_[n], batches_[n + 1] - batches_[n]);
+  }
+
+  /// The outermost nodes in use at an end of an axis, ascending: images, if it is a wall.
+  [[nodiscard]] std::span<const Index> images(std::size_t axis, Side side) const noexcept {
+    return images_[axis][static_cast<std::size_t>(side)];
+  }
+
+  /// Sets all to zero.
+  void clear() noexcept {
+    for (const NodeRun& run : runs_) std::fill((*this)[run.begin], (*this)[run.end], 0.0);
+  }
 
  private:
+  void find_batches();
+  void find_images();
+
   CartesianGrid<D> grid_;
   NodeRecord record_;
   Indices<D> first_{};
   Indices<D> count_{};
   Indices<D> stride_{};
   std::vector<double> values_;
+  std::vector<NodeRun> runs_;
+  std::vector<std::size_t> batches_;  ///< the first run of each, and one past the last
+  std::array<std::array<std::vector<Index>, 2>, static_cast<std::size_t>(D)> images_;
 };
 
 }  // namespace scree::mpm

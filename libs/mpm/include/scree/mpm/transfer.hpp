@@ -23,6 +23,8 @@ class Transfer {
 
   [[nodiscard]] virtual NodeRecord record() const noexcept = 0;
   [[nodiscard]] virtual double stencil_shift() const noexcept = 0;
+  /// Nodes along each axis that a block's points can reach, from the one before its first cell on.
+  [[nodiscard]] virtual Index tile_edge() const noexcept = 0;
 
   /// Adds mass, momentum and internal force of a block's points to the nodes.  Eqs. (M1), (M8), (M9), (M10)
   virtual void scatter(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,

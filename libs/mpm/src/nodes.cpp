@@ -1,0 +1,106 @@
+#include <scree/mpm/nodes.hpp>
+
+namespace scree::mpm {
+
+namespace {
+
+/// The places from node `low` on along an axis, in one piece or, round a periodic axis, two; if the node on a
+/// wall is among them, with its image.
+template <int D>
+[[nodiscard]] std::vector<NodeRun> places_from(const Nodes<D>& nodes, Index low, Index edge,
+                                               std::size_t axis) {
+  const Index count = nodes.count(axis);
+  if (nodes.grid().is_periodic()[axis]) {
+    if (edge >= count) return {{0, count}};
+    const Index begin = nodes.place(low, axis);
+    const Index end = begin + edge;
+    if (end <= count) return {{begin, end}};
+    return {{0, end - count}, {begin, count}};
+  }
+  constexpr Index images = Nodes<D>::num_images;
+  Index begin = std::max(low - nodes.first(axis), Index{0});
+  Index end = std::min(low - nodes.first(axis) + edge, count);
+  if (begin <= images) begin = 0;
+  if (end >= count - images) end = count;
+  return {{begin, end}};
+}
+
+/// Appends the runs of a box of nodes.
+template <int D>
+void append_box(const Nodes<D>& nodes, const Indices<D>& corner, Index edge, std::vector<NodeRun>& runs) {
+  std::vector<Index> starts{0};
+  for (std::size_t axis = D - 1; axis > 0; --axis) {
+    std::vector<Index> next;
+    for (const NodeRun& places : places_from(nodes, corner[axis], edge, axis)) {
+      for (Index place = places.begin; place < places.end; ++place) {
+        for (const Index start : starts) next.push_back(start + place * nodes.stride(axis));
+      }
+    }
+    starts.swap(next);
+  }
+  for (const NodeRun& places : places_from(nodes, corner[0], edge, 0)) {
+    for (const Index start : starts) runs.push_back({start + places.begin, start + places.end});
+  }
+}
+
+}  // namespace
+
+template <int D>
+void Nodes<D>::use(std::span<const Indices<D>> corners, Index edge) {
+  clear();
+  std::vector<NodeRun> pieces;
+  for (const Indices<D>& corner : corners) append_box(*this, corner, edge, pieces);
+  std::sort(pieces.begin(), pieces.end(),
+            [](const NodeRun& a, const NodeRun& b) { return a.begin < b.begin; });
+  runs_.clear();
+  for (const NodeRun& piece : pieces) {
+    if (!runs_.empty() && piece.begin <= runs_.back().end) {
+      runs_.back().end = std::max(runs_.back().end, piece.end);
+    } else {
+      runs_.push_back(piece);
+    }
+  }
+  find_batches();
+  find_images();
+}
+
+template <int D>
+void Nodes<D>::find_batches() {
+  constexpr Index nodes_per_batch = 4096;
+  std::vector<NodeRun> parts;
+  batches_.assign(1, 0);
+  Index in_batch = 0;
+  for (NodeRun run : runs_) {
+    while (run.begin < run.end) {
+      const Index end = std::min(run.end, run.begin + nodes_per_batch - in_batch);
+      parts.push_back({run.begin, end});
+      in_batch += end - run.begin;
+      run.begin = end;
+      if (in_batch < nodes_per_batch) continue;
+      batches_.push_back(parts.size());
+      in_batch = 0;
+    }
+  }
+  if (in_batch > 0) batches_.push_back(parts.size());
+  runs_.swap(parts);
+}
+
+template <int D>
+void Nodes<D>::find_images() {
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    for (auto& images : images_[axis]) images.clear();
+    for (const NodeRun& run : runs_) {
+      for (Index node = run.begin; node < run.end; ++node) {
+        const Index place = node / stride_[axis] % count_[axis];
+        if (place == 0) images_[axis][0].push_back(node);
+        if (place == count_[axis] - 1) images_[axis][1].push_back(node);
+      }
+    }
+  }
+}
+
+template class Nodes<1>;
+template class Nodes<2>;
+template class Nodes<3>;
+
+}  // namespace scree::mpm
