@@ -3,16 +3,14 @@
 namespace scree::rheology::detail {
 
 AnyKernel any_block_kernel(const std::type_info& law, InstructionSet set) noexcept {
-  switch (set) {
+  AnyKernel kernel = nullptr;
 #ifdef SCREE_WIDE_KERNELS
-    case InstructionSet::x86_64_v3:
-      return x86_64_v3::any_block_kernel(law);
-    case InstructionSet::x86_64_v4:
-      return x86_64_v4::any_block_kernel(law);
+  if (set == InstructionSet::x86_64_v4) kernel = x86_64_v4::any_block_kernel(law);
+  if (kernel == nullptr && set != InstructionSet::baseline) kernel = x86_64_v3::any_block_kernel(law);
+#else
+  static_cast<void>(set);
 #endif
-    default:
-      return baseline::any_block_kernel(law);
-  }
+  return kernel != nullptr ? kernel : baseline::any_block_kernel(law);
 }
 
 }  // namespace scree::rheology::detail

@@ -13,7 +13,8 @@ using AnyKernel = void (*)();
 [[nodiscard]] AnyKernel any_block_kernel(const std::type_info& law, InstructionSet set) noexcept;
 }  // namespace detail
 
-/// The kernel of a law of the list (`AnyLaw`) for an instruction set that runs here; null for any other type.
+/// The fastest kernel of a law of the list (`AnyLaw`) that an instruction set can run, which must run here:
+/// that of a narrower set where wide registers do not pay. Null for any other type.
 template <class Law>
 [[nodiscard]] BlockKernel<Law> block_kernel(const Law& /*law*/, InstructionSet set) noexcept {
   return reinterpret_cast<BlockKernel<Law>>(detail::any_block_kernel(typeid(Law), set));

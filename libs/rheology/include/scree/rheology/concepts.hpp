@@ -41,15 +41,16 @@ inline constexpr bool disconnects = [] {
   }
 }();
 
-/// How many points a law's kernel computes at once, where registers are as wide: a whole pack, unless the law
-/// was measured to be faster in fewer and says `static constexpr std::size_t most_lanes`. Between the lanes
-/// of exp, log and pow, which are computed one by one, wider registers have to be put away.
+/// How many points a law's kernel computes at once, where registers are as wide: four, unless the law was
+/// measured to be faster in a whole pack of eight and says `static constexpr std::size_t most_lanes = 8`.
+/// Roots and quotients are half as fast in registers twice as wide, and exp, log and pow are computed lane by
+/// lane.
 template <class Law>
 inline constexpr std::size_t most_lanes = [] {
   if constexpr (requires { Law::most_lanes; }) {
     return Law::most_lanes;
   } else {
-    return static_cast<std::size_t>(pack_size);
+    return std::size_t{4};
   }
 }();
 

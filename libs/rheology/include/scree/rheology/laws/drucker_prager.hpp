@@ -23,7 +23,6 @@ namespace scree::rheology {
 struct DruckerPrager {
   static constexpr std::string_view name = "drucker_prager";
   static constexpr std::string_view summary = "cohesionless sand at large strain, without rate";
-  static constexpr std::size_t most_lanes = 4;  // measured
 
   template <class Real>
   struct Input {};

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -22,7 +21,6 @@ struct ElasticHerschelBulkley {
   static constexpr std::string_view name = "elastic_herschel_bulkley";
   static constexpr std::string_view summary =
       "fluid with a true yield stress, elastic below it; no viscous limit of the step";
-  static constexpr std::size_t most_lanes = 4;  // measured
 
   template <class Real>
   struct Input {};

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -22,6 +23,7 @@ struct GranularElastoviscoplastic {
   static constexpr std::string_view name = "granular_elastoviscoplastic";
   static constexpr std::string_view summary =
       "grains that rest, flow by mu(I) and disconnect; no viscous limit of the step";
+  static constexpr std::size_t most_lanes = 8;  // measured
 
   template <class Real>
   struct Input {

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -18,7 +17,6 @@ struct HerschelBulkley {
   static constexpr std::string_view name = "herschel_bulkley";
   static constexpr std::string_view summary =
       "fluid with a yield stress and a power of the shear rate, regularised (Papanastasiou)";
-  static constexpr std::size_t most_lanes = 4;  // measured
 
   template <class Real>
   struct Input {};

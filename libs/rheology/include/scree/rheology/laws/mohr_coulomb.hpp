@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -25,6 +26,7 @@ struct MohrCoulomb {
   static constexpr std::string_view name = "mohr_coulomb";
   static constexpr std::string_view summary =
       "soil with friction, cohesion, dilatancy and a limit of tension";
+  static constexpr std::size_t most_lanes = 8;  // measured
 
   template <class Real>
   struct Input {};

@@ -4,6 +4,7 @@
 #include <scree/rheology/newtonian_stress.hpp>
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -13,6 +14,7 @@ namespace scree::rheology {
 struct Newtonian {
   static constexpr std::string_view name = "newtonian";
   static constexpr std::string_view summary = "weakly compressible fluid of constant viscosity";
+  static constexpr std::size_t most_lanes = 8;  // measured
 
   template <class Real>
   struct Input {};

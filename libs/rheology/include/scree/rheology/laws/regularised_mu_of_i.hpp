@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -18,7 +17,6 @@ namespace scree::rheology {
 struct RegularisedMuOfI {
   static constexpr std::string_view name = "regularised_mu_of_i";
   static constexpr std::string_view summary = "dense granular flow, mu(I) made well posed (Barker & Gray)";
-  static constexpr std::size_t most_lanes = 4;  // measured
 
   template <class Real>
   struct Input {

@@ -4,6 +4,7 @@
 #include <scree/rheology/newtonian_stress.hpp>
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -15,6 +16,7 @@ struct SizeDependentNewtonian {
   static constexpr std::string_view name = "size_dependent_newtonian";
   static constexpr std::string_view summary =
       "weakly compressible fluid of viscosity proportional to the mean grain size";
+  static constexpr std::size_t most_lanes = 8;  // measured
 
   template <class Real>
   struct Input {

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -18,7 +17,6 @@ struct Suspension {
   static constexpr std::string_view name = "suspension";
   static constexpr std::string_view summary =
       "grains in a liquid, of a viscosity that grows up to the packing of the local mix of sizes";
-  static constexpr std::size_t most_lanes = 4;  // measured
 
   template <class Real>
   struct Input {
