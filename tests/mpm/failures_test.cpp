@@ -141,8 +141,9 @@ double swirl_stiffness(const AnyShape& shape, Index num_cells, Index points_per_
     double sum = 0;
     double norm = 0;
     for (Index n = 0; n < state.nodes.num_nodes(); ++n) {
+      const Index row = n / num_cells;
       const Vector<2> mode = swirl(static_cast<double>(n % num_cells) / static_cast<double>(num_cells),
-                                   static_cast<double>(n / num_cells) / static_cast<double>(num_cells));
+                                   static_cast<double>(row) / static_cast<double>(num_cells));
       const double* node = state.nodes[n];
       sum += mode[0] * node[NodeRecord::momentum] + mode[1] * node[NodeRecord::momentum + 1];
       norm += mode.squaredNorm();
@@ -200,10 +201,10 @@ double tension_kept(const AnyShape& shape, const AnyTransfer& rule, Index num_po
   }
   auto state = start(std::move(particles), grid, stages, one_thread);
   const double dt = 0.1 / num_cells / solid.wave_speed();
-  constexpr int num_steps = 10 * 10 * num_cells;
+  constexpr Index num_steps = 100 * num_cells;
   double sum = 0;
   int count = 0;
-  for (int n = 0; n < num_steps; ++n) {
+  for (Index n = 0; n < num_steps; ++n) {
     step(state, stages, dt, one_thread);
     if (n < num_steps * 8 / 10) continue;
     for (Index p = 0; p < state.particles.size(); ++p) {
