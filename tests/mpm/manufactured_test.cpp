@@ -17,7 +17,7 @@ Vector<2> force_by_differences(const Motion& motion, const Vector<2>& X, double 
     const Tensor<double> sigma = rubber.stress(state_of(F));
     Matrix<2> cauchy;
     cauchy << sigma(0, 0), sigma(0, 1), sigma(1, 0), sigma(1, 1);
-    const Matrix<2> P = F.determinant() * cauchy * F.inverse().transpose();
+    Matrix<2> P = F.determinant() * cauchy * F.inverse().transpose();
     return P;
   };
   const double dt = delta / rubber.wave_speed();
