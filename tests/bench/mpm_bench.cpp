@@ -1,53 +1,155 @@
 #include "../mpm/bodies.hpp"
 
+#include <scree/mpm/carried_cells.hpp>
+#include <scree/mpm/cell_sort.hpp>
+
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <string>
+#include <vector>
 
+/// Whole steps of a swirl of 2^D points
+/// to a cell, jittered, in a square or cube away from the ends of its mesh. Rates are point updates; beside
+/// them the wall-clock time of each phase [ns per point]. The law is a linear fluid.
 namespace {
 
 using namespace scree;
 using namespace scree::mpm;
 
-/// Whole steps of about 1e5 points, 2^D in each cell of a periodic mesh, that drift through the cells as they
-/// swirl: stress, both transfers, nodes, and now and then a sort. Rate in point updates.
-template <int D, class ShapeType, class Rule>
-void step_of_points(benchmark::State& state) {
-  constexpr double spacing = 0.01;  // [m]
-  constexpr Index num_cells = D == 2 ? 160 : 24;
-  const Threads threads{static_cast<int>(state.range(0))};
-  const auto grid = cube<D>(num_cells, spacing, true);
-  auto particles = filled<D>(grid, 2);
-  const double wave_number = 2 * 3.141592653589793 / grid.length(0);
+struct Case {
+  Index fill;           ///< cells of material along each axis
+  int num_classes = 0;  ///< of grain size
+  int threads = 1;
+  double share = 1;  ///< of the mesh that is filled, about: more is empty
+};
+
+template <int D>
+Particles<D> swirl(const CartesianGrid<D>& grid, Index fill, Index pad) {
+  Indices<D> per_cell{};
+  per_cell.fill(2);
+  const double spacing = grid.spacing()[0];
+  const Vector<D> low = Vector<D>::Constant(static_cast<double>(pad) * spacing);
+  const Vector<D> high = low + Vector<D>::Constant(static_cast<double>(fill) * spacing);
+  auto particles = seed_box<D, D>(grid, low, high, per_cell, 1000);
+  std::mt19937 random{1};
+  std::uniform_real_distribution<double> jitter{-0.075 * spacing, 0.075 * spacing};
   for (Index p = 0; p < particles.size(); ++p) {
-    for (int i = 0; i < D; ++i) {
-      const double across = particles.position.component((i + 1) % D)[p];
-      particles.velocity.component(i)[p] = 0.5 + 0.1 * std::sin(wave_number * across);
+    Vector<3> x = Vector<3>::Zero();
+    for (int axis = 0; axis < D; ++axis) {
+      particles.position.component(axis)[p] += jitter(random);
+      x[axis] = particles.position.component(axis)[p] - low[axis];
     }
+    particles.velocity.component(0)[p] = 2 * std::sin(3 * x[0]) * std::cos(4 * x[1]);
+    particles.velocity.component(1)[p] = -1.5 * std::cos(3 * x[0]) * std::sin(4 * x[1]);
+    if (D == 3) particles.velocity.component(D - 1)[p] = 0.5 * std::sin(5 * x[2] + x[0]);
   }
-  const Fluid fluid{.bulk_modulus = 1e5, .reference_density = 1000, .viscosity = 0.1};
-  const auto stages = stages_of<D, D>(particles, ShapeType{}, Rule{}, fluid);
-  auto body = start(std::move(particles), grid, stages, threads);
-  const auto num_points = body.particles.size();
-
-  for (auto _ : state) step(body, stages, stable_time_step(grid, body.rates, {}).dt, threads);
-
-  state.SetItemsProcessed(state.iterations() * num_points);
+  return particles;
 }
 
-#define SCREE_STEP(D, SHAPE, RULE)                   \
-  BENCHMARK_TEMPLATE(step_of_points, D, SHAPE, RULE) \
-      ->Arg(1)                                       \
-      ->Arg(2)                                       \
-      ->UseRealTime()                                \
-      ->Unit(benchmark::kMillisecond)
-SCREE_STEP(2, Linear, Apic);
-SCREE_STEP(2, Linear, PicFlip);
-SCREE_STEP(2, Quadratic, Apic);
-SCREE_STEP(2, Quadratic, PicFlip);
-SCREE_STEP(3, Linear, Apic);
-SCREE_STEP(3, Linear, PicFlip);
-SCREE_STEP(3, Quadratic, Apic);
-SCREE_STEP(3, Quadratic, PicFlip);
+/// Fractions of the points to the nodes and back, as a segregation step between them needs.
+template <int D>
+class Classes {
+ public:
+  Classes(Particles<D>& particles, const CartesianGrid<D>& grid, const AnyShape& shape, int count)
+      : carried_{grid, Sites::nodes, shape} {
+    if (count == 0) return;
+    column_ = particles.add_column({"fractions", "phi", "-"}, count);
+    std::fill(fractions(particles).values().begin(), fractions(particles).values().end(), 1.0 / count);
+    const auto num_sites = static_cast<std::size_t>(carried_.lattice().num_sites());
+    masses_.resize(num_sites);
+    means_.resize(num_sites * static_cast<std::size_t>(count));
+    count_ = count;
+  }
+  void there_and_back(State<D, D>& state, Threads threads) {
+    if (count_ == 0) return;
+    std::vector<CarriedField> fields;
+    for (int k = 0; k < count_; ++k) fields.push_back({&fractions(state.particles), k});
+    carried_.to_sites(state.particles, state.blocks, fields, masses_, means_, threads);
+    carried_.to_points(state.blocks, state.particles, fractions(state.particles), means_, means_,
+                       CarriedMap::exchange, threads);
+  }
+
+ private:
+  Column& fractions(Particles<D>& particles) { return particles.column(column_); }
+  CarriedCells<D, D> carried_;
+  std::size_t column_ = 0;
+  int count_ = 0;
+  std::vector<double> masses_;
+  std::vector<double> means_;
+};
+
+template <int D>
+void step_of_points(benchmark::State& bench, const AnyShape& shape, const AnyTransfer& rule,
+                    const Case& what) {
+  constexpr Index pad = 5;
+  const double edge = static_cast<double>(what.fill + 2 * pad) / std::pow(what.share, 1.0 / D);
+  const double spacing = 1.0 / static_cast<double>(what.fill);
+  const auto grid = cube<D>(static_cast<Index>(edge), spacing, false);
+  auto particles = swirl<D>(grid, what.fill, pad);
+  const Index num_points = particles.size();
+  const Fluid fluid{.bulk_modulus = 4e5, .reference_density = 1000, .viscosity = 0.1};  // sound: 20 m/s
+  Classes<D> classes{particles, grid, shape, what.num_classes};
+  const auto stages = stages_of<D, D>(particles, shape, rule, fluid);
+  const Threads threads{what.threads};
+  auto state = start(std::move(particles), grid, stages, threads);
+  const double dt = 0.02 * 0.4 * spacing / 20;  // so short that hardly anything changes, but all is computed
+  for (int n = 0; n < 3; ++n) step(state, stages, dt, threads);
+  state.seconds = {};
+
+  for (auto _ : bench) {
+    step(state, stages, dt, threads);
+    classes.there_and_back(state, threads);
+  }
+
+  bench.SetItemsProcessed(bench.iterations() * num_points);
+  const double updates = static_cast<double>(bench.iterations() * num_points);
+  bench.counters["scatter_ns"] = state.seconds.scatter / updates * 1e9;
+  bench.counters["nodes_ns"] = state.seconds.nodes / updates * 1e9;
+  bench.counters["gather_ns"] = state.seconds.gather / updates * 1e9;
+}
+
+/// What a sort costs, and so how often it may come: it is due when a point has gone a cell.
+template <int D>
+void sort_of_points(benchmark::State& bench, Index fill) {
+  const auto grid = cube<D>(fill + 10, 1.0 / static_cast<double>(fill), false);
+  auto particles = swirl<D>(grid, fill, 5);
+  for (auto _ : bench) benchmark::DoNotOptimize(cell_sort(particles, grid, Quadratic::shift, Threads{1}));
+  bench.SetItemsProcessed(bench.iterations() * particles.size());
+}
+
+template <int D>
+void add(const std::string& name, const AnyShape& shape, const AnyTransfer& rule, const Case& what) {
+  benchmark::RegisterBenchmark((std::to_string(D) + "D_" + name).c_str(),
+                               [=](benchmark::State& bench) { step_of_points<D>(bench, shape, rule, what); })
+      ->MeasureProcessCPUTime()
+      ->UseRealTime()
+      ->Unit(benchmark::kMillisecond);
+}
+
+/// About 1e5 points, but where 2e6 are named.
+template <int D>
+void add_all() {
+  constexpr Index fill = D == 2 ? 158 : 23;
+  add<D>("apic_quadratic", Quadratic{}, Apic{}, {.fill = fill});
+  add<D>("apic_quadratic_2_classes", Quadratic{}, Apic{}, {.fill = fill, .num_classes = 2});
+  add<D>("apic_quadratic_8_classes", Quadratic{}, Apic{}, {.fill = fill, .num_classes = 8});
+  add<D>("apic_quadratic_2_threads", Quadratic{}, Apic{}, {.fill = fill, .threads = 2});
+  add<D>("apic_quadratic_2_percent_filled", Quadratic{}, Apic{}, {.fill = fill, .share = 0.02});
+  add<D>("apic_quadratic_2e6_points", Quadratic{}, Apic{}, {.fill = D == 2 ? 707 : 63});
+  add<D>("flip_quadratic", Quadratic{}, PicFlip{1}, {.fill = fill});
+  add<D>("flip_linear", Linear{}, PicFlip{1}, {.fill = fill});
+  benchmark::RegisterBenchmark((std::to_string(D) + "D_sort").c_str(), [](benchmark::State& bench) {
+    sort_of_points<D>(bench, fill);
+  })->Unit(benchmark::kMillisecond);
+}
+
+const bool is_registered = [] {
+  add_all<2>();
+  add_all<3>();
+  return true;
+}();
 
 }  // namespace

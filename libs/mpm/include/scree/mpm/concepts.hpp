@@ -30,9 +30,12 @@ concept Shape = requires(double xi) {
   noexcept->std::same_as<double>;
 };
 
-/// How velocity travels between points and nodes. `has_affine`: points pass on their velocity gradient too.
-/// `increment_share`: how much of a point's new velocity is its old one plus the nodes' increment, the rest
-/// being the nodes' velocity; `has_increment` says that it can differ from zero.
+/// How velocity travels between points and nodes. `has_affine`: points pass on their velocity gradient too,
+/// by N_i (x_i - x_p). `has_affine_gradient`: forces and the velocity gradient go by the shape's affine
+/// weights, else by its gradients. `increment_share`: how much of a point's new velocity is its old one plus
+/// the nodes' increment, the rest being the nodes' velocity. `has_increment`: that share can differ from
+/// zero, or forces need a place of their own at the nodes, as they do under `has_affine` without
+/// `has_affine_gradient`.
 template <class T>
 concept TransferRule = requires(const T rule) {
   { T::name } -> std::convertible_to<std::string_view>;
