@@ -88,7 +88,7 @@ TEST(ColumnCollapse, ComesToTheContinuumsRunoutOnFinerMeshes) {
 }
 
 TEST(ColumnCollapse, DependsOnTheStepLessThanOnTheMesh) {
-  // Quadratic apic loses (k h)^4 per step, Eq. (M68), so shorter steps lose more; finer meshes all lose less.
+  // Quadratic apic loses (k h)^4 per step, Eq. (M88), so shorter steps lose more; finer meshes all lose less.
   const double of_the_mesh = runout(2, 16) - runout(2, 8);
 
   EXPECT_LT(std::abs(runout(2, 16, 0.25) - runout(2, 16)), of_the_mesh / 2);

@@ -54,7 +54,7 @@ class LoadedColumn {
     }
   }
 
-  /// Mean over the points of |sigma - exact| over rho g H: -(1 - X/H) whatever the law.  Eq. (M70)
+  /// Mean over the points of |sigma - exact| over rho g H: -(1 - X/H) whatever the law.  Eq. (M90)
   [[nodiscard]] double stress_error() const {
     double sum = 0;
     for_each_point([&](double X, double, double stress) { sum += std::abs(stress + 1 - X / height); });
@@ -109,7 +109,7 @@ class LoadedColumn {
 
 constexpr double small_strain = 1e-4;
 
-TEST(SelfWeight, HasTheErrorOfStressOfAPointsPlaceInItsCell) {  // Eqs. (M70), (M71)
+TEST(SelfWeight, HasTheErrorOfStressOfAPointsPlaceInItsCell) {  // Eqs. (M90), (M91)
   // The gradient that a point sees is off by v'' times its distance from the place where it would be exact,
   // and so is the stress, by rho g times it: a quarter of a cell with hat functions, whose gradient is that
   // of the middle; m_3/(2 M) = 3/32 of a cell with the affine weights of quadratic ones.

@@ -44,7 +44,7 @@ struct PointFamily {
 };
 
 /// What a step makes of a plane wave of small amplitude on points that stay where they are: the step of
-/// docs/equations/mpm.md written for one wave.  Eq. (M65)
+/// docs/equations/mpm.md written for one wave.  Eq. (M85)
 class WaveRecursion {
  public:
   explicit WaveRecursion(const BarWave& wave) : wave_{wave}, phase_{wave.wave_number() * wave.spacing()} {

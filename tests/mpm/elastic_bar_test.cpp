@@ -13,7 +13,7 @@ struct NamedScheme {
   const char* name;
   AnyShape shape;
   AnyTransfer rule;
-  /// A wave of k h is too slow by this share of (k h)^2, two points a cell.  Eq. (M66)
+  /// A wave of k h is too slow by this share of (k h)^2, two points a cell.  Eq. (M86)
   double lag;
 };
 const std::array<NamedScheme, 4> lasting_schemes{
@@ -22,7 +22,7 @@ const std::array<NamedScheme, 4> lasting_schemes{
     NamedScheme{"quadratic apic", Quadratic{}, Apic{}, 0.16796875 / 1.5 - 0.046875 * 0.046875 / 0.5},
     NamedScheme{"quadratic flip", Quadratic{}, PicFlip{1}, 0.8125 / 6 + 1.0 / 8}};
 
-TEST(ElasticBar, FollowsTheRecursionOfItsStepUnderEveryScheme) {  // Eq. (M65)
+TEST(ElasticBar, FollowsTheRecursionOfItsStepUnderEveryScheme) {  // Eq. (M85)
   constexpr int num_steps = 200;
   for (const AnyShape& shape : every<AnyShape>()) {
     for (const AnyTransfer& rule :
@@ -63,7 +63,7 @@ double frequency(const BarWave& wave, int num_zeros) {
   }
 }
 
-TEST(ElasticBar, VibratesTooSlowByTheSquareOfTheSpacing) {  // Eq. (M66)
+TEST(ElasticBar, VibratesTooSlowByTheSquareOfTheSpacing) {  // Eq. (M86)
   for (const NamedScheme& scheme : lasting_schemes) {
     SCOPED_TRACE(scheme.name);
     for (const Index num_cells : {10, 20}) {
@@ -116,7 +116,7 @@ struct LongRun {
   double courant;
 };
 
-TEST(StressLast, TakesEnergyOutOfFlipAtAPredictedRate) {  // Eq. (M67)
+TEST(StressLast, TakesEnergyOutOfFlipAtAPredictedRate) {  // Eq. (M87)
   // The gradient that strains the points is that of the nodes, whose increment the points feel only P times:
   // a viscosity, which takes (1 - P) (omega dt)^2 of the energy per step, 1 - P = (k h)^2 M/h^2 with the mean
   // M of the points.
@@ -131,7 +131,7 @@ TEST(StressLast, TakesEnergyOutOfFlipAtAPredictedRate) {  // Eq. (M67)
   }
 }
 
-TEST(Apic, LosesAWaveWithItsFourthPowerPerStepUnderQuadraticShapes) {  // Eq. (M68)
+TEST(Apic, LosesAWaveWithItsFourthPowerPerStepUnderQuadraticShapes) {  // Eq. (M88)
   constexpr double fourth_moment = 0.16796875;  // of weights about a point a quarter of a cell from a node
   constexpr double third_moment = 0.046875;
   constexpr double second_moment = 0.25;

@@ -15,7 +15,7 @@ namespace {
 constexpr Threads one_thread{1};
 
 /// One material point, alone in a mesh, slightly too dense: its nodes push each other through it, and nothing
-/// else holds them.  Eqs. (M72), (M73)
+/// else holds them.  Eqs. (M92), (M93)
 class LonePoint {
  public:
   /// @param place from a node [spacings]
@@ -67,7 +67,7 @@ double place_of(double product) {
   return (1 - std::sqrt(1 - 4 * product)) / 2;
 }
 
-TEST(LightNode, OverturnsAPointUnderFlipAndHatFunctions) {  // Eq. (M72): 1 - C^2/(xi (1 - xi)) per step
+TEST(LightNode, OverturnsAPointUnderFlipAndHatFunctions) {  // Eq. (M92): 1 - C^2/(xi (1 - xi)) per step
   constexpr int num_steps = 30;
   const double threshold = place_of(default_courant * default_courant / 2);  // 0.146 spacings from a node
   for (const double place : {1.05 * threshold, 0.95 * threshold}) {
@@ -83,7 +83,7 @@ TEST(LightNode, OverturnsAPointUnderFlipAndHatFunctions) {  // Eq. (M72): 1 - C^
   }
 }
 
-TEST(LightNode, OverturnsAPointUnderApicAndHatFunctions) {  // Eq. (M73): sin^2(theta/2) = C^2/(4 xi (1 - xi))
+TEST(LightNode, OverturnsAPointUnderApicAndHatFunctions) {  // Eq. (M93): sin^2(theta/2) = C^2/(4 xi (1 - xi))
   constexpr int num_steps = 15;
   const double threshold = place_of(default_courant * default_courant / 4);  // 0.067 spacings
   for (const double place : {1.05 * threshold, 0.95 * threshold}) {
@@ -157,7 +157,7 @@ double swirl_stiffness(const AnyShape& shape, Index num_cells, Index points_per_
   return -share() / (dt * dt * of_gradient) * solid.density / (2 * solid.mu * k * k);
 }
 
-TEST(NearlyIncompressibleSolid, LocksUnderHatFunctionsWithFourPointsACell) {  // Eq. (M74)
+TEST(NearlyIncompressibleSolid, LocksUnderHatFunctionsWithFourPointsACell) {  // Eq. (M94)
   // Across a cell, du/dx of hat functions does not vary along x, dv/dy does not along y: at a quarter of a
   // cell from the middle they miss each other by k (k h/4), which the volume's modulus resists.
   constexpr double ratio = 1e3;  // lambda/mu: Poisson's ratio 0.4995

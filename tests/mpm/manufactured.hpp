@@ -22,8 +22,8 @@ inline constexpr double swing_rate =
 }
 
 /// A motion of the unit square with a body force that makes it exact: compression and stretching along both
-/// axes, u_d = A sin(2 pi X_d) cos(omega t + phase_d). Nothing moves on the square's sides.  Eqs. (M61),
-/// (M62)
+/// axes, u_d = A sin(2 pi X_d) cos(omega t + phase_d). Nothing moves on the square's sides.  Eqs. (M81),
+/// (M82)
 struct AxisAlignedSwing {
   double amplitude;  ///< A [m]
 
@@ -76,7 +76,7 @@ struct AxisAlignedSwing {
 };
 
 /// A ring about (1/2, 1/2) that turns to and fro by the angle A sin(omega t) (1 - s^2)^4, s = -1 at its inner
-/// and 1 at its outer radius; all else rests. The volume is kept, the shear is not small.  Eqs. (M63), (M64)
+/// and 1 at its outer radius; all else rests. The volume is kept, the shear is not small.  Eqs. (M83), (M84)
 struct TurningRing {
   double amplitude;  ///< A [rad]
   double hoop_sign =

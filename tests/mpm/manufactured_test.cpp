@@ -44,11 +44,11 @@ void expect_the_force_of_the_exact_stress(const Motion& motion) {
   }
 }
 
-TEST(ManufacturedForce, OfTheAxisAlignedSwingIsThatOfItsStress) {  // Eq. (M62)
+TEST(ManufacturedForce, OfTheAxisAlignedSwingIsThatOfItsStress) {  // Eq. (M82)
   expect_the_force_of_the_exact_stress(AxisAlignedSwing{0.05});
 }
 
-TEST(ManufacturedForce, OfTheTurningRingIsThatOfItsStress) {  // Eq. (M64)
+TEST(ManufacturedForce, OfTheTurningRingIsThatOfItsStress) {  // Eq. (M84)
   expect_the_force_of_the_exact_stress(TurningRing{0.3});
 }
 
@@ -79,7 +79,7 @@ TEST(AxisAlignedSwing, ConvergesWithSecondOrderUnderQuadraticShapes) {
     const auto errors = manufactured_errors<3>(AxisAlignedSwing{amplitude}, 8, Quadratic{}, rule);
 
     for (std::size_t i = 1; i < 3; ++i) EXPECT_GT(std::log2(errors[i - 1] / errors[i]), second_order);
-    // A free wave would lag by lag (k h)^2, Eq. (M66), over the half swing of pi.
+    // A free wave would lag by lag (k h)^2, Eq. (M86), over the half swing of pi.
     EXPECT_LT(errors[2], amplitude * std::numbers::pi * lag * std::pow(2 * std::numbers::pi / 32, 2));
   }
 }

@@ -9,7 +9,7 @@
 namespace scree::mpm {
 
 /// Compressible neo-Hookean solid in plane strain, as a user would write it: its memory is the deformation
-/// gradient F, and sigma = (lambda ln J 1 + mu (F F^T - 1))/J with J = det F.  @see Eq. (M60)
+/// gradient F, and sigma = (lambda ln J 1 + mu (F F^T - 1))/J with J = det F.  @see Eq. (M80)
 struct NeoHookean {
   static constexpr std::string_view name = "neo_hookean";
   template <class Real>
