@@ -72,6 +72,17 @@ void gather(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads t
   });
 }
 
+/// Deals with the points outside the mesh; those that are to stop the run are found by the sorting that
+/// follows.
+template <int D, int V>
+void deal_with_leaving(State<D, V>& state, const Stages<D, V>& stages) {
+  if (stages.leaving == Leaving::absorb) {
+    state.absorbed += absorb_outside(state.particles, state.nodes.grid());
+  } else if (stages.leaving == Leaving::reflect) {
+    reflect_outside(state.particles, state.nodes.grid());
+  }
+}
+
 /// The worst of all blocks; a maximum does not depend on the order.
 template <int D, int V>
 void reduce(State<D, V>& state) {
@@ -134,7 +145,9 @@ void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads thr
   gather(state, stages, dt, threads);
   for (const auto& boundary : stages.boundaries) boundary->advance(dt);
   reduce(state);
-  if (state.needs_sort) sort(state, stages, threads);
+  if (!state.needs_sort) return;
+  deal_with_leaving(state, stages);
+  sort(state, stages, threads);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/mpm/boundaries.hpp>
+#include <scree/mpm/leaving.hpp>
 #include <scree/mpm/node_solve.hpp>
 #include <scree/mpm/stress_update.hpp>
 #include <scree/mpm/time_step.hpp>
@@ -24,6 +25,7 @@ struct Stages {
   /// A node lighter than this share of the heaviest point takes no part: its acceleration would be a small
   /// force over next to no mass.  [-], Eq. (M20)
   double mass_floor = 1e-10;
+  Leaving leaving = Leaving::stop;  ///< what happens to points that leave the mesh
 };
 
 /// Wall-clock time spent in each phase of the steps so far [s].
@@ -53,6 +55,7 @@ struct State {
   Rates rates;                             ///< of the last step; what the next one is bounded by
   bool needs_sort = true;                  ///< a point has left the reach of its block
   double mass_floor = 0;                   ///< [kg]
+  Left<V> absorbed;                        ///< what has left the mesh so far
   PhaseSeconds seconds;
 };
 
@@ -64,8 +67,8 @@ template <int D, int V>
 
 /// Advances all points by dt: stress first, with the velocity gradient of the last step, then momentum, then
 /// positions.  @see Eqs. (M1)-(M13), the algorithm of docs/equations/mpm.md
-/// @throws RunError naming a point that has left the mesh, has no finite position, or whose law was not
-/// solved; in that case no point has moved.
+/// @throws RunError naming a point that has left the mesh (if that is to stop the run), has no finite
+/// position, or whose law was not solved; in that case no point has moved.
 template <int D, int V>
 void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads);
 
