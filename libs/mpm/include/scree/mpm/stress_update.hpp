@@ -220,7 +220,7 @@ class StressUpdateBy final : public StressUpdate<D, V> {
     columns.num_points = block.end - block.begin;
     for (int j = 0; j < D; ++j) {
       for (int i = 0; i < V; ++i) {
-        const auto row_by_row = static_cast<std::size_t>(3 * i + j);
+        const std::size_t row_by_row = 3 * static_cast<std::size_t>(i) + static_cast<std::size_t>(j);
         columns.velocity_gradient[row_by_row] = {
             particles.velocity_gradient.component(i + V * j) + block.begin, 1};
         columns.stress[row_by_row] = particles.stress.component(i + V * j) + block.begin;
