@@ -77,6 +77,36 @@ TEST(Percentile, OfClassesWithoutExtentIsOneOfTheirDiameters) {
   EXPECT_EQ(percentile(mixture.classes, mixture.fractions, 0.3), 1e-3);
 }
 
+TEST(CoarseShares, AreWhatLiesAboveASize) {  // Eq. (G23)
+  const Distribution sieved = bidisperse(0.5e-3, 1e-3, 0.25);
+  const Distribution mixture = histogram({1, 2, 4}, {0.25, 0.75});
+
+  EXPECT_EQ(coarse_shares(sieved.classes, 1e-3), (std::vector<double>{0, 1}));
+  EXPECT_EQ(coarse_shares(sieved.classes, 0.5e-3), (std::vector<double>{1, 1}));
+  EXPECT_EQ(coarse_shares(sieved.classes, 2e-3), (std::vector<double>{0, 0}));
+  EXPECT_EQ(coarse_shares(mixture.classes, 2), (std::vector<double>{0, 1}));
+  EXPECT_EQ(coarse_shares(mixture.classes, 2.5), (std::vector<double>{0, 0.75}));
+}
+
+TEST(CoarseShares, AreWhatAPercentileLeaves) {
+  const Distribution mixture = histogram({1e-3, 1.5e-3, 4e-3, 5e-3}, {0.2, 0.5, 0.3});
+  for (const double share : {0.0, 0.1, 0.2, 0.55, 0.93, 1.0}) {
+    const double size = percentile(mixture.classes, mixture.fractions, share);
+
+    double coarser = 0;
+    const auto shares = coarse_shares(mixture.classes, size);
+    for (std::size_t k = 0; k < shares.size(); ++k) coarser += mixture.fractions[k] * shares[k];
+
+    EXPECT_NEAR(coarser, 1 - share, 40 * round_off);  // 10 operations, of sizes up to 4 times a class's width
+  }
+}
+
+TEST(CoarseShares, RefuseASizeThatIsNone) {
+  const SizeClasses classes{std::vector<double>{1e-3}};
+  EXPECT_EQ(message_of([&] { static_cast<void>(coarse_shares(classes, 0)); }),
+            "coarse_shares: the size is 0 m, but must be positive and finite");
+}
+
 TEST(Percentile, SkipsEmptyClasses) {
   const SizeClasses classes{{1e-3, 2e-3, 3e-3}};
 

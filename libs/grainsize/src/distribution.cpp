@@ -141,6 +141,24 @@ double percentile(const SizeClasses& classes, std::span<const double> fractions,
   return size;
 }
 
+std::vector<double> coarse_shares(const SizeClasses& classes, double size) {
+  if (!(0 < size && std::isfinite(size))) {
+    throw InputError{
+        detail::message("coarse_shares: the size is ", size, " m, but must be positive and finite")};
+  }
+  std::vector<double> shares;
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    if (classes.edges().empty()) {
+      shares.push_back(classes.diameters()[k] >= size ? 1 : 0);
+    } else {
+      const double low = classes.edges()[k];
+      const double high = classes.edges()[k + 1];
+      shares.push_back(std::clamp((high - size) / (high - low), 0.0, 1.0));
+    }
+  }
+  return shares;
+}
+
 void require_fractions(const SizeClasses& classes, std::span<const double> fractions, double tolerance) {
   if (fractions.size() != classes.size()) {
     throw InputError{detail::message("fractions: ", classes.size(), " classes need as many fractions, but ",

@@ -35,6 +35,11 @@ struct Distribution {
 /// @param share in [0, 1] [-]  @throws InputError outside, or if the fractions do not fit the classes.
 [[nodiscard]] double percentile(const SizeClasses& classes, std::span<const double> fractions, double share);
 
+/// Share of the volume of each class whose grains are as large as `size` or larger [-], one per class: with
+/// it, sum Phi_k share_k is the share of a mixture. Volume is spread as for a percentile.  Eq. (G23)
+/// @param size [m], positive and finite  @throws InputError if it is not.
+[[nodiscard]] std::vector<double> coarse_shares(const SizeClasses& classes, double size);
+
 /// Checks that `fractions` are one per class, each in [0, 1], with the sum 1, within `tolerance`.
 /// @throws InputError naming the first fault.
 void require_fractions(const SizeClasses& classes, std::span<const double> fractions, double tolerance);
