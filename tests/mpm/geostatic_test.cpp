@@ -15,12 +15,12 @@ constexpr Fluid soft{.bulk_modulus = 1e5, .reference_density = 1000, .viscosity 
 
 /// A column of 10 cells of 0.1 m, filled up to 0.8 m, at rest under its own weight.
 struct Column10 {
-  Column10() {
+  explicit Column10(double surface_pressure = 0) {
     const auto grid = cube<1>(10, 0.1, false);
     particles = filled<1>(grid, 3);
     const StressUpdateBy<1, 1, Fluid> stress{soft, particles};
     before = particles;
-    set_geostatic(particles, stress, 0, surface, gravity);
+    set_geostatic(particles, stress, 0, surface, gravity, surface_pressure);
     pressure.resize(static_cast<std::size_t>(particles.size()));
     stress.pressure(particles, pressure);
   }
@@ -30,21 +30,30 @@ struct Column10 {
   std::vector<double> pressure;
 };
 
-TEST(SetGeostatic, BalancesTheWeightAbove) {  // Eq. (M24): dp/dz = rho(p) g has rho = rho_0 exp(rho_0 g z/K)
-  const Column10 column;
+/// Eq. (M24): dp/dz = rho(p) g has K + p = (K + p_0) exp(rho_0 g z/K).
+void expect_balance(double surface_pressure) {
+  const Column10 column{surface_pressure};
 
   for (Index p = 0; p < column.particles.size(); ++p) {
     const double depth = Column10::surface - column.particles.position.component(0)[p];
     if (depth <= 0) continue;
     const double K = soft.bulk_modulus;
     const double exponent = soft.reference_density * gravity * depth / K;
-    const double expected = K * std::expm1(exponent);
+    const double expected = K * std::expm1(exponent) + surface_pressure * std::exp(exponent);
     // Four steps of a fourth-order rule, exponent^5/(5! 4^4) of K, which grow with the solution; the
     // pressure's rounding is K round_off.
     const double truncation = std::pow(exponent, 5) / (120 * 256) * std::exp(exponent);
-    const double tolerance = K * (truncation + 16 * round_off);
+    const double tolerance = (K + surface_pressure) * (truncation + 16 * round_off);
     EXPECT_NEAR(column.pressure[static_cast<std::size_t>(p)], expected, tolerance);
   }
+}
+
+TEST(SetGeostatic, BalancesTheWeightAbove) {
+  expect_balance(0);
+}
+
+TEST(SetGeostatic, BalancesAPressureOnTheSurfaceToo) {
+  expect_balance(2e4);
 }
 
 TEST(SetGeostatic, KeepsTheVolumeOfEachPoint) {

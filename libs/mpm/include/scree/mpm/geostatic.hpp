@@ -5,13 +5,14 @@
 namespace scree::mpm {
 
 /// Sets density and mass of all points so that pressure balances gravity under a free surface:
-/// dp/dz = rho(p) g from p = 0 at the surface down. Each point keeps its volume.  Eq. (M24)
+/// dp/dz = rho(p) g from the pressure on the surface down. Each point keeps its volume.  Eq. (M24)
 /// @param axis the one that gravity presses along
 /// @param surface height of the free surface along it [m]; points above it keep their density
 /// @param gravity acceleration against the axis [m/s^2], not negative
+/// @param surface_pressure on the surface [Pa], not negative
 /// @throws RunError if the law cannot bear the pressure.
 template <int D, int V>
 void set_geostatic(Particles<D, V>& particles, const StressUpdate<D, V>& stress, int axis, double surface,
-                   double gravity);
+                   double gravity, double surface_pressure = 0);
 
 }  // namespace scree::mpm
