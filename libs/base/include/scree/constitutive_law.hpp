@@ -6,6 +6,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 
@@ -33,6 +34,9 @@ struct StateColumn {
   std::string_view name;
   std::string_view unit;  ///< SI; "-" if it has none
   double initial = 0;     ///< its value in material that has not been deformed yet [unit]
+  /// What a person may begin with instead [unit]; nothing where only `initial` makes sense, as of a component
+  /// of a tensor.
+  std::optional<Interval> start = {};
 };
 
 /// What bounds an explicit step: the law's own speeds, viscosities and rates, at one point.

@@ -46,7 +46,7 @@ struct Breakage {
                                                       {"elastic_stretch_xz", "-"},
                                                       {"elastic_stretch_yz", "-"},
                                                       {"compaction", "-"},
-                                                      {"breakage", "-"}}};
+                                                      {"breakage", "-", 0, Interval{.upper = 1}}}};
 
   double bulk_modulus;           ///< K of unbroken grains [Pa]
   double shear_modulus;          ///< G of unbroken grains [Pa]

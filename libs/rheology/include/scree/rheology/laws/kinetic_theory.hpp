@@ -33,7 +33,7 @@ struct KineticTheory {
   struct State {
     Real temperature;  ///< T, a third of the mean square of velocity fluctuations [m^2/s^2]
   };
-  static constexpr std::array<StateColumn, 1> states{{{"granular_temperature", "m^2/s^2", 1e-4}}};
+  static constexpr std::array<StateColumn, 1> states{{{"granular_temperature", "m^2/s^2", 1e-4, Interval{}}}};
 
   double restitution;    ///< e, normal speed after a collision over that before [-]
   double correlation;    ///< c of Eq. (R105) [-]; 0: collisions are independent

@@ -42,7 +42,7 @@ struct ModifiedCamClay {
                                                       {"elastic_stretch_xy", "-"},
                                                       {"elastic_stretch_xz", "-"},
                                                       {"elastic_stretch_yz", "-"},
-                                                      {"preconsolidation", "-", 1}}};
+                                                      {"preconsolidation", "-", 1, Interval{}}}};
 
   double critical_ratio;             ///< M, q/p in the critical state [-]
   double lambda;                     ///< ln(volume) per ln(pressure) in normal compression [-]

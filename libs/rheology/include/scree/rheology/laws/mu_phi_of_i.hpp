@@ -32,7 +32,7 @@ struct MuPhiOfI {
   struct State {
     Real unloaded_volume;  ///< v, of the packing without pressure, over that at rest [-]
   };
-  static constexpr std::array<StateColumn, 1> states{{{"unloaded_volume", "-", 1}}};
+  static constexpr std::array<StateColumn, 1> states{{{"unloaded_volume", "-", 1, Interval{}}}};
 
   double mu_s;               ///< friction of slow flow [-]
   double mu_2;               ///< friction of fast flow [-]
