@@ -10,30 +10,6 @@
 namespace scree::app {
 
 template <int D, int V>
-void add_grains(mpm::Particles<D, V>& particles, const grainsize::Distribution& grains) {
-  const auto num_classes = static_cast<int>(grains.classes.size());
-  const std::size_t fractions = particles.add_column({std::string{fraction_column}, "Phi", "-"}, num_classes);
-  for (int k = 0; k < num_classes; ++k) {
-    double* phi = particles.column(fractions).component(k);
-    std::fill(phi, phi + particles.size(), grains.fractions[static_cast<std::size_t>(k)]);
-  }
-  particles.add_column({std::string{grain_size_column}, "s_a", "m"}, 1);
-  update_grain_size(particles, grains.classes);
-}
-
-template <int D, int V>
-void update_grain_size(mpm::Particles<D, V>& particles, const grainsize::SizeClasses& classes) {
-  const mpm::Column& fractions = particles.column(particles.find_column(fraction_column, "the mean size"));
-  double* size = particles.column(particles.find_column(grain_size_column, "the mean size")).component(0);
-  std::fill(size, size + particles.size(), 0.0);
-  for (int k = 0; k < fractions.num_components(); ++k) {
-    const double* phi = fractions.component(k);
-    const double diameter = classes.diameters()[static_cast<std::size_t>(k)];
-    for (Index p = 0; p < particles.size(); ++p) size[p] += phi[p] * diameter;
-  }
-}
-
-template <int D, int V>
 void observe_fractions(const mpm::Particles<D, V>& particles, FractionExtremes& extremes) {
   const mpm::Column& fractions = particles.column(particles.find_column(fraction_column, "the summary"));
   for (Index p = 0; p < particles.size(); ++p) {
@@ -134,15 +110,12 @@ grainsize::SegregationReport Coupling<D, V>::advance(mpm::State<D, V>& state, do
   new_fractions_ = old_fractions_;
   const auto report = segregation_.advance(masses_, drive_, new_fractions_, dt);
   cells_.to_points(state.blocks, particles, fractions, old_fractions_, new_fractions_, map_, threads_);
-  update_grain_size(particles, classes_);
   return report;
 }
 
-#define SCREE_INSTANCE(D, V)                                                             \
-  template void add_grains(mpm::Particles<D, V>&, const grainsize::Distribution&);       \
-  template void update_grain_size(mpm::Particles<D, V>&, const grainsize::SizeClasses&); \
-  template void observe_fractions(const mpm::Particles<D, V>&, FractionExtremes&);       \
-  template std::vector<double> class_masses(const mpm::Particles<D, V>&);                \
+#define SCREE_INSTANCE(D, V)                                                       \
+  template void observe_fractions(const mpm::Particles<D, V>&, FractionExtremes&); \
+  template std::vector<double> class_masses(const mpm::Particles<D, V>&);          \
   template class Coupling<D, V>;
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scree/mixture.hpp"
 #include "scree/scene.hpp"
 
 #include <scree/grainsize/segregation.hpp>
@@ -11,24 +12,12 @@
 
 namespace scree::app {
 
-/// Names of the columns that a run with grains adds to its points.
-inline constexpr std::string_view fraction_column = "fraction";
-inline constexpr std::string_view grain_size_column = "grain_size";
-
 /// What the fractions of all points have been at their worst since the run began.
 struct FractionExtremes {
   double lowest = 1;     ///< smallest fraction [-]
   double highest = 0;    ///< largest fraction [-]
   double sum_error = 0;  ///< largest |sum - 1| [-]
 };
-
-/// Gives every point the fractions of a distribution, and its mean size as the column the law reads.
-template <int D, int V>
-void add_grains(mpm::Particles<D, V>& particles, const grainsize::Distribution& grains);
-
-/// Mean size s_a of every point, from its fractions.  Eq. (G1)
-template <int D, int V>
-void update_grain_size(mpm::Particles<D, V>& particles, const grainsize::SizeClasses& classes);
 
 /// Widens `extremes` by the fractions as they are.
 template <int D, int V>
@@ -47,7 +36,8 @@ class Coupling {
   Coupling(const SegregationScene& scene, const grainsize::SizeClasses& classes, const CartesianGrid<D>& grid,
            const mpm::AnyShape& shape, const Vector<D>& gravity_direction, Threads threads);
 
-  /// Lets the grains of all points segregate over dt [s].  @throws RunError if they are absurdly fast.
+  /// Lets the grains of all points segregate over dt [s]: changes their fractions.  @throws RunError if they
+  /// are absurdly fast.
   grainsize::SegregationReport advance(mpm::State<D, V>& state, double dt);
 
  private:

@@ -1,12 +1,10 @@
 #include "scree/crushing.hpp"
 
-#include "scree/coupling.hpp"
 #include "scree/dimensions.hpp"
+#include "scree/law_columns.hpp"
+#include "scree/mixture.hpp"
 
 #include <scree/grainsize/breakage.hpp>
-
-#include <algorithm>
-#include <variant>
 
 namespace scree::app {
 
@@ -19,13 +17,14 @@ constexpr std::string_view crushed_column = "crushed";
 }  // namespace
 
 template <int D, int V>
-Crushing<D, V>::Crushing(mpm::Particles<D, V>& particles, const grainsize::Distribution& grains)
-    : classes_{grains.classes}, ultimate_{grainsize::ultimate_fractions(grains.classes, grains.fractions)} {
+Crushing<D, V>::Crushing(mpm::Particles<D, V>& particles, const grainsize::Distribution& grains,
+                         double fractal_dimension)
+    : ultimate_{grainsize::ultimate_fractions(grains.classes, grains.fractions, fractal_dimension)} {
   particles.add_column({std::string{crushed_column}, "B", "-"}, 1);
 }
 
 template <int D, int V>
-void Crushing<D, V>::advance(mpm::Particles<D, V>& particles) const {
+bool Crushing<D, V>::advance(mpm::Particles<D, V>& particles) const {
   const auto number = [&](std::string_view name) {
     return particles.column(particles.find_column(name, "crushing")).component(0);
   };
@@ -43,16 +42,11 @@ void Crushing<D, V>::advance(mpm::Particles<D, V>& particles) const {
       phi = grainsize::broken_fraction(phi, ultimate_[static_cast<std::size_t>(k)], share);
     }
   }
-  if (is_any_finer) update_grain_size(particles, classes_);
+  return is_any_finer;
 }
 
 bool crushes(const rheology::AnyLaw& law) {
-  return std::visit(
-      [](const auto& chosen) {
-        return std::ranges::any_of(std::decay_t<decltype(chosen)>::states,
-                                   [](const StateColumn& state) { return state.name == breakage_column; });
-      },
-      law);
+  return keeps(law, breakage_column);
 }
 
 #define SCREE_INSTANCE(D, V) template class Crushing<D, V>;

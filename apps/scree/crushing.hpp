@@ -17,14 +17,15 @@ template <int D, int V>
 class Crushing {
  public:
   /// @param particles with the column `breakage` of the law
+  /// @param fractal_dimension of the ultimate one, by number [-]
   /// @throws InputError if the distribution has no ultimate one that it may be crushed to.
-  Crushing(mpm::Particles<D, V>& particles, const grainsize::Distribution& grains);
+  Crushing(mpm::Particles<D, V>& particles, const grainsize::Distribution& grains, double fractal_dimension);
 
-  /// Lets the fractions of every point, and its mean size, follow its breakage.
-  void advance(mpm::Particles<D, V>& particles) const;
+  /// Lets the fractions of every point follow its breakage.
+  /// @returns whether any became finer
+  bool advance(mpm::Particles<D, V>& particles) const;
 
  private:
-  grainsize::SizeClasses classes_;
   std::vector<double> ultimate_;  // one per class
 };
 

@@ -1,6 +1,7 @@
 #include "scree/axes.hpp"
 #include "scree/chosen.hpp"
 #include "scree/output_fields.hpp"
+#include "scree/read_grains.hpp"
 #include "scree/read_models.hpp"
 #include "scree/read_walls.hpp"
 #include "scree/scene.hpp"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace scree::app {
 
@@ -55,6 +55,8 @@ using io::TomlTable;
   material.high = table.numbers("high", "highest corner of the material [m]", io::any_value(), dimensions);
   material.points_per_cell =
       table.integer_or(3, "points_per_cell", "material points along each axis of a cell", between(1, 16));
+  material.surface_pressure = table.number_or(
+      0, "surface_pressure", "pressure on the top of the material at the start [Pa]", at_least(0));
   if (!table.is_sound("low") || !table.is_sound("high")) return material;
   for (std::size_t d = 0; d < dimensions; ++d) {
     const std::string_view axis = axis_names(mesh.dimensions)[d];
@@ -76,58 +78,6 @@ using io::TomlTable;
   return gravity;
 }
 
-template <class Maker>
-[[nodiscard]] std::optional<grainsize::Distribution> try_distribution(const TomlTable& table,
-                                                                      std::string_view key, Maker&& make) {
-  try {
-    return make();
-  } catch (const InputError& error) {
-    table.add_fault(key, error.what());
-    return std::nullopt;
-  }
-}
-
-[[nodiscard]] std::optional<grainsize::Distribution> read_grains(const TomlTable& table) {
-  constexpr std::array<std::string_view, 4> kinds{"classes", "histogram", "log_normal", "power_law"};
-  const std::string kind = table.choice_or("classes", "distribution", "how the sizes are given", kinds);
-  if (kind == "classes" || kind == "histogram") {
-    const std::string_view key = kind == "classes" ? "diameters" : "edges";
-    const auto sizes = table.numbers(
-        key, kind == "classes" ? "representative diameters [m]" : "edges of the classes [m]", above(0));
-    const auto fractions = table.numbers("fractions", "shares of the solid volume [-]", between(0, 1));
-    if (!table.is_sound(key) || !table.is_sound("fractions")) return std::nullopt;
-    if (kind == "histogram") {
-      return try_distribution(table, "fractions", [&] { return grainsize::histogram(sizes, fractions); });
-    }
-    return try_distribution(table, "fractions", [&] {
-      grainsize::Distribution distribution{grainsize::SizeClasses{sizes}, fractions};
-      constexpr double typed_digits =
-          1e-9;  // [-]: fractions are typed with as many; their sum is then made 1
-      grainsize::require_fractions(distribution.classes, fractions, typed_digits);
-      const double sum = std::accumulate(fractions.begin(), fractions.end(), 0.0);
-      for (double& fraction : distribution.fractions) fraction /= sum;
-      return distribution;
-    });
-  }
-  const double low = table.number("diameter_min", "lower cut of the sizes [m]", above(0));
-  const double high = table.number("diameter_max", "upper cut of the sizes [m]", above(0));
-  const auto num_classes =
-      static_cast<std::size_t>(table.integer("num_classes", "number of classes", between(1, 16)));
-  if (kind == "log_normal") {
-    const double median = table.number("median", "median size by volume [m]", above(0));
-    const double spread = table.number("spread", "standard deviation of ln(size) [-]", above(0));
-    if (std::isnan(low + high + median + spread) || num_classes == 0) return std::nullopt;
-    return try_distribution(table, "diameter_max", [&] {
-      return grainsize::binned(grainsize::LogNormal{median, spread, low, high}, num_classes);
-    });
-  }
-  const double dimension = table.number("fractal_dimension", "of the number of grains by size [-]", above(0));
-  if (std::isnan(low + high + dimension) || num_classes == 0) return std::nullopt;
-  return try_distribution(table, "diameter_max", [&] {
-    return grainsize::binned(grainsize::PowerLaw{dimension, low, high}, num_classes);
-  });
-}
-
 [[nodiscard]] SegregationScene read_segregation(const TomlTable& table) {
   constexpr std::array<std::string_view, 2> volumes{"cells", "nodes"};
   constexpr std::array<std::string_view, 2> maps{"exchange", "increments"};
@@ -147,6 +97,22 @@ template <class Maker>
                   : mpm::CarriedMap::increments;
   scene.every = table.integer_or(100, "every", "momentum steps between segregation steps", between(1, 1e6));
   return scene;
+}
+
+/// The law's memory at the start, where it may be told.
+[[nodiscard]] std::vector<InitialScene> read_initial(const TomlTable& table,
+                                                     const rheology::AnyLaw& any_law) {
+  std::vector<InitialScene> initial;
+  const auto read = [&](const auto& law) {
+    for (const StateColumn& state : law.states) {
+      if (!state.start || !table.has(state.name)) continue;
+      const std::string meaning = fmt::format("at the start [{}]", state.unit);
+      initial.push_back(
+          {std::string{state.name}, table.number(state.name, meaning, bounds_of(*state.start))});
+    }
+  };
+  std::visit(read, any_law);
+  return initial;
 }
 
 void read_numerics(const TomlTable& table, Scene& scene) {
@@ -175,12 +141,8 @@ void read_numerics(const TomlTable& table, Scene& scene) {
       table.number_or(0, "maximum_dt", "the user's own limit of dt [s]; 0 is none", at_least(0));
 }
 
-[[nodiscard]] bool tells_stability(const rheology::AnyLaw& any_law) {
-  return std::visit([]<class Law>(const Law& /*law*/) { return rheology::HasStabilityNumber<Law>; }, any_law);
-}
-
 [[nodiscard]] OutputScene read_output(const TomlTable& table, double end, bool has_grains,
-                                      bool tells_stability) {
+                                      const rheology::AnyLaw& law) {
   OutputScene output;
   output.every = table.number_or(end, "every", "simulated time between frames [s]", above(0));
   output.checkpoint_every =
@@ -188,7 +150,7 @@ void read_numerics(const TomlTable& table, Scene& scene) {
   output.fields =
       table.has("fields") ? table.strings("fields", "what each frame holds") : default_fields(has_grains);
   for (const std::string& field : output.fields) {
-    const auto known = known_fields(has_grains, tells_stability);
+    const auto known = known_fields(has_grains, law);
     table.check(std::find(known.begin(), known.end(), field) != known.end(), {"fields"},
                 fmt::format("'{}' is none of {}", field, fmt::join(known, ", ")));
   }
@@ -203,8 +165,13 @@ void read_numerics(const TomlTable& table, Scene& scene) {
   scene.mesh = read_mesh(root.table("mesh"));
   scene.material = read_material(root.table("material"), scene.mesh);
   scene.gravity = read_gravity(root.table_or_empty("gravity"));
-  read_chosen(root.table("rheology"), "law", "constitutive law", scene.law);
-  if (root.has("grains")) scene.grains = read_grains(root.table("grains"));
+  const TomlTable rheology = root.table("rheology");
+  read_chosen(rheology, "law", "constitutive law", scene.law);
+  if (rheology.is_sound("law")) scene.initial = read_initial(rheology.table_or_empty("initial"), scene.law);
+  if (root.has("grains")) {
+    scene.grains = read_grains(root.table("grains"));
+    scene.mixture = read_mixture(root.table("grains"), scene);
+  }
   scene.axes = read_axes(root.table("boundaries"), scene);
   read_numerics(root.table_or_empty("numerics"), scene);
   const TomlTable time = root.table("time");
@@ -213,8 +180,7 @@ void read_numerics(const TomlTable& table, Scene& scene) {
     scene.segregation = read_segregation(root.table("segregation"));
     if (!root.has("grains")) root.add_fault("segregation", "needs the table [grains]");
   }
-  scene.output =
-      read_output(root.table_or_empty("output"), scene.end, root.has("grains"), tells_stability(scene.law));
+  scene.output = read_output(root.table_or_empty("output"), scene.end, root.has("grains"), scene.law);
   file.finish();
   return {std::move(scene), file.to_text()};
 }

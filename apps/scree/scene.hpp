@@ -50,14 +50,34 @@ struct AxisScene {
 
 /// A box of material at rest.
 struct MaterialScene {
-  std::vector<double> low;    ///< [m]
-  std::vector<double> high;   ///< [m]
-  Index points_per_cell = 3;  ///< along each axis
+  std::vector<double> low;      ///< [m]
+  std::vector<double> high;     ///< [m]
+  Index points_per_cell = 3;    ///< along each axis
+  double surface_pressure = 0;  ///< on the top of it [Pa]
 };
 
 struct GravityScene {
   double magnitude = 9.81;   ///< [m/s^2]
   double slope_degrees = 0;  ///< of the base against the horizontal, down along x
+};
+
+/// What a number of the law's memory is at the start.
+struct InitialScene {
+  std::string column;
+  double value = 0;  ///< in the unit of the column
+};
+
+/// How densely grains are packed.
+struct PackingScene {
+  double of_one_size = 0;  ///< solid fraction of grains of one size [-]
+  double compaction = 0;   ///< K [-]
+};
+
+/// What a law asks of a mix of grains beside its mean size: there if the law reads it.
+struct MixtureScene {
+  std::optional<double> coarse_size;  ///< of the finest grains that count as coarse [m]
+  std::optional<PackingScene> packing;
+  double ultimate_fractal_dimension = 2.6;  ///< of the number of grains by size, once all are crushed [-]
 };
 
 /// How the grains of neighbouring control volumes change places.
@@ -93,12 +113,14 @@ struct Scene {
   MaterialScene material;
   GravityScene gravity;
   rheology::AnyLaw law;
+  std::vector<InitialScene> initial;
   mpm::AnyShape shape;
   mpm::AnyTransfer transfer;
   mpm::TimeStepOptions time_step;
   ViscosityScheme viscosity = ViscosityScheme::with_stress;
   double end = 0;  ///< simulated time [s]
   std::optional<grainsize::Distribution> grains;
+  MixtureScene mixture;
   std::optional<SegregationScene> segregation;
   OutputScene output;
 };

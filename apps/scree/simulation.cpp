@@ -53,7 +53,7 @@ template <int D, int V>
   per_cell.fill(scene.material.points_per_cell);
   const double density = std::visit([](const auto& law) { return law.density; }, scene.law);
   auto particles = mpm::seed_box<D, V>(grid, low, high, per_cell, density);
-  if (scene.grains) add_grains(particles, *scene.grains);
+  if (scene.grains) Mixture{scene}.add_to(particles);
   return particles;
 }
 
@@ -65,6 +65,10 @@ template <int D, int V>
         return std::make_unique<mpm::StressUpdateBy<D, V, std::decay_t<decltype(law)>>>(law, particles);
       },
       scene.law);
+  for (const InitialScene& initial : scene.initial) {
+    const std::size_t column = particles.find_column(initial.column, "the scene");
+    std::ranges::fill(particles.column(column).values(), initial.value);
+  }
   stages.transfer = mpm::make_transfer<D, V>(scene.shape, scene.transfer);
   for (int axis = 0; axis < D; ++axis) {
     const AxisScene& ends = scene.axes[static_cast<std::size_t>(axis)];
@@ -76,6 +80,35 @@ template <int D, int V>
   return stages;
 }
 
+/// Whether a point has a density at which it bears this pressure.
+template <int D, int V>
+[[nodiscard]] bool can_bear(const mpm::Particles<D, V>& particles, const mpm::StressUpdate<D, V>& stress,
+                            double pressure) {
+  constexpr double nothing = 1e-6;  // [-], of the law's own density: material so thin is none
+  try {
+    return stress.density_at(particles, 0, pressure) > nothing * particles.density.component(0)[0];
+  } catch (const RunError&) {
+    return false;
+  }
+}
+
+/// Puts points at rest under their own weight. Where nothing presses they keep their law's density.
+/// @throws InputError if the law does not bear the pressure on the surface.
+template <int D, int V>
+void settle(const Scene& scene, const mpm::Stages<D, V>& stages, mpm::Particles<D, V>& particles) {
+  const int normal = normal_component(D);
+  const double gravity = -stages.gravity[static_cast<std::size_t>(normal)];
+  const double pressure = scene.material.surface_pressure;
+  if (gravity == 0 && pressure == 0) return;
+  require(can_bear(particles, *stages.stress, pressure),
+          "[material] surface_pressure = " + io::to_text(pressure) + ": the law '" +
+              std::string{stages.stress->law()} +
+              "' has no density at which it bears this pressure [Pa], as the top of the material does at the "
+              "start; give another");
+  mpm::set_geostatic(particles, *stages.stress, normal, scene.material.high[static_cast<std::size_t>(normal)],
+                     gravity, pressure);
+}
+
 /// Points, at rest under their own weight, and the parts of the step that reads their columns.
 template <int D, int V>
 [[nodiscard]] mpm::State<D, V> make_state(const Scene& scene, mpm::Stages<D, V>& stages, std::string& note,
@@ -83,9 +116,7 @@ template <int D, int V>
   const CartesianGrid<D> grid = make_grid<D>(scene);
   auto particles = make_particles<D, V>(scene, grid);
   stages = make_stages(scene, particles);
-  const int normal = normal_component(D);
-  mpm::set_geostatic(particles, *stages.stress, normal, scene.material.high[static_cast<std::size_t>(normal)],
-                     -stages.gravity[static_cast<std::size_t>(normal)]);
+  settle(scene, stages, particles);
   note = choose_viscosity(scene, grid, particles, stages, threads);
   return mpm::start(std::move(particles), grid, stages, threads);
 }
@@ -103,12 +134,16 @@ Simulation<D, V>::Simulation(const Scene& scene, Threads threads)
     : scene_{scene}, threads_{threads}, state{make_state<D, V>(scene_, stages_, viscosity_note_, threads)} {
   threads_ = useful(threads, state.particles.size());
   if (!scene_.grains) return;
+  mixture_.emplace(scene_);
   if (scene_.segregation) {
     Vector<D> direction = Eigen::Map<const Vector<D>>{stages_.gravity.data()};
     if (direction.norm() > 0) direction.normalize();
     coupling_.emplace(*scene_.segregation, scene_.grains->classes, grid(), scene_.shape, direction, threads_);
   }
-  if (crushes(scene_.law)) crushing_.emplace(state.particles, *scene_.grains);
+  if (crushes(scene_.law)) {
+    crushing_.emplace(state.particles, *scene_.grains, scene_.mixture.ultimate_fractal_dimension);
+    if (crushing_->advance(state.particles)) mixture_->update(state.particles);
+  }
   observe_fractions(state.particles, tally.fractions);
   tally.first_class_masses = class_masses(state.particles);
 }
@@ -171,7 +206,7 @@ bool Simulation<D, V>::step() {
   const bool reaches_frame = left <= next.dt;
   if (reaches_frame) next = {left, mpm::Limit::output};
   mpm::step(state, stages_, next.dt, threads_);
-  if (crushing_) crushing_->advance(state.particles);
+  if (crushing_ && crushing_->advance(state.particles)) mixture_->update(state.particles);
   clock.time = reaches_frame ? next_frame_time() : clock.time + next.dt;
   ++clock.step;
   if (reaches_frame) ++clock.frame;
@@ -187,6 +222,7 @@ template <int D, int V>
 void Simulation<D, V>::segregate() {
   const auto start = std::chrono::steady_clock::now();
   const auto report = coupling_->advance(state, clock.unsegregated_time);
+  mixture_->update(state.particles);
   observe_fractions(state.particles, tally.fractions);
   clock.unsegregated_time = 0;
   clock.unsegregated_steps = 0;

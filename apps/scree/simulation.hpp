@@ -2,6 +2,7 @@
 
 #include "scree/coupling.hpp"
 #include "scree/crushing.hpp"
+#include "scree/mixture.hpp"
 #include "scree/scene.hpp"
 
 #include <scree/mpm/step.hpp>
@@ -71,6 +72,7 @@ class Simulation {
   Threads threads_;
   mpm::Stages<D, V> stages_;
   std::string viscosity_note_;
+  std::optional<Mixture> mixture_;
   std::optional<Coupling<D, V>> coupling_;
   std::optional<Crushing<D, V>> crushing_;
 

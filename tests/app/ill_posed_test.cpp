@@ -34,7 +34,7 @@ void set_mode(Simulation<1, 2>& column) {
         shear_rate * y + shear_amplitude / wave_number * std::sin(wave_number * y);
     particles.velocity_gradient.component(1)[p] = shear_rate + shear_amplitude * wave;
   }
-  update_grain_size(particles, column.scene().grains->classes);
+  Mixture{column.scene()}.update(particles);
 }
 
 /// Amplitude of the wave of coarse grains in 0.2 < y < 0.4 m, one wave length that neither end has reached.

@@ -26,7 +26,7 @@ TEST(Grains, MeanSizeOfAPointIsThatOfItsFractions) {
   fractions.component(0)[3] = 0.25;
   fractions.component(1)[3] = 0.75;
 
-  update_grain_size(particles, column.scene().grains->classes);
+  Mixture{column.scene()}.update(particles);
 
   const auto& size = particles.column(particles.find_column(grain_size_column, "the test"));
   EXPECT_DOUBLE_EQ(size.component(0)[3], 0.25 * 0.5e-3 + 0.75 * 1e-3);
