@@ -23,5 +23,15 @@ TEST(PicFlip, RefusesAShareOutsideZeroToOne) {
   }
 }
 
+TEST(Aflip, TakesAnyShareFromApicToAffineFlip) {  // Eq. (M31)
+  for (const double share : {0.0, 0.5, 1.0}) EXPECT_EQ(Aflip{share}.increment_share(), share);
+}
+
+TEST(Aflip, RefusesAShareOutsideZeroToOne) {
+  for (const double share : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_EQ(message_of<InputError>([&] { Aflip{share}; }), "Aflip: increment_share must lie in [0, 1]");
+  }
+}
+
 }  // namespace
 }  // namespace scree::mpm

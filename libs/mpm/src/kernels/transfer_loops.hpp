@@ -16,11 +16,12 @@ static_assert(pack_size % Pack::size == 0);
 /// The record of a node in fours: mass and momentum, and the force if it has a place of its own.
 template <TransferRule Rule>
 struct Record {
-  static_assert(!Rule::has_affine || Rule::has_affine_gradient || Rule::has_increment,
-                "slopes of momentum and forces that share a record must share their weights");
+  static constexpr bool has_arm = Rule::has_affine && !Rule::has_affine_gradient;
   static constexpr bool has_force = Rule::has_increment;
+  /// Forces go to the nodes by themselves: to a place, or by weights, that slopes of momentum do not share.
+  static constexpr bool parts_force = has_force || has_arm;
   static constexpr std::ptrdiff_t size = has_force ? 8 : 4;
-  static constexpr std::ptrdiff_t force = NodeRecord::increment();
+  static constexpr std::ptrdiff_t force = has_force ? NodeRecord::increment() : 0;
 };
 
 template <int D, std::size_t S, TransferRule Rule>
@@ -120,7 +121,7 @@ inline void keep(const Stencil<Pack, D, S>& stencil, const BlockPlace<D>& place,
     for (std::size_t i = 0; i < S; ++i) {
       stencil.weight[axis][i].store(kept.weight.along[axis][i]);
       stencil.slope[axis][i].store(kept.slope.along[axis][i]);
-      if constexpr (Rule::has_affine && !Rule::has_affine_gradient) {
+      if constexpr (Record<Rule>::has_arm) {
         stencil.arm[axis][i].store(kept.arm.along[axis][i]);
       }
     }
@@ -131,10 +132,10 @@ inline void keep(const Stencil<Pack, D, S>& stencil, const BlockPlace<D>& place,
 }
 
 /// The given in fours, point by point.
-template <int D, bool has_force>
+template <int D, bool parts_force>
 struct PackGiven {
   alignas(64) double momentum[Pack::size][1 + D][4];
-  alignas(64) double force[has_force ? Pack::size : 1][D][4];
+  alignas(64) double force[parts_force ? Pack::size : 1][D][4];
 };
 
 template <int V>
@@ -143,8 +144,8 @@ template <int V>
 }
 
 /// Sets down mass and momentum as one four, and for each axis slopes and forces as others.
-template <TransferRule Rule, int D, int V, bool has_force>
-inline void keep(const Given<Pack, D, V>& given, PackGiven<D, has_force>& kept) noexcept {
+template <TransferRule Rule, int D, int V, bool parts_force>
+inline void keep(const Given<Pack, D, V>& given, PackGiven<D, parts_force>& kept) noexcept {
   constexpr Index stride = Index{4} * (1 + D);
   to_fours({given.mass, component<V>(given.momentum, 0), component<V>(given.momentum, 1),
             component<V>(given.momentum, 2)},
@@ -152,36 +153,40 @@ inline void keep(const Given<Pack, D, V>& given, PackGiven<D, has_force>& kept) 
   for (std::size_t j = 0; j < D; ++j) {
     Components<Pack, V> along;  // what goes to the momentum
     for (std::size_t i = 0; i < V; ++i) {
-      along[i] = has_force          ? given.momentum_slope[j][i]
+      along[i] = parts_force        ? given.momentum_slope[j][i]
                  : Rule::has_affine ? given.momentum_slope[j][i] + given.force[j][i]
                                     : given.force[j][i];
     }
-    if constexpr (Rule::has_affine || !has_force) {
+    if constexpr (Rule::has_affine || !parts_force) {
       to_fours({Pack{0}, component<V>(along, 0), component<V>(along, 1), component<V>(along, 2)},
                kept.momentum[0][1 + j], stride);
     }
-    if constexpr (has_force) {
-      const auto& force = given.force[j];
-      to_fours({component<V>(force, 0), component<V>(force, 1), component<V>(force, 2), Pack{0}},
-               kept.force[0][j], D * 4);
+    if constexpr (parts_force) {
+      const Pack x = component<V>(given.force[j], 0);
+      const Pack y = component<V>(given.force[j], 1);
+      const Pack z = component<V>(given.force[j], 2);
+      if constexpr (Record<Rule>::has_force) {
+        to_fours({x, y, z, Pack{0}}, kept.force[0][j], D * 4);
+      } else {
+        to_fours({Pack{0}, x, y, z}, kept.force[0][j], D * 4);  // over mass and momentum
+      }
     }
   }
 }
 
-template <TransferRule Rule, int D, std::size_t S, bool has_force>
-inline void scatter_lane(const PackStencils<D, S>& stencils, const PackGiven<D, has_force>& given, int lane,
+template <TransferRule Rule, int D, std::size_t S, bool parts_force>
+inline void scatter_lane(const PackStencils<D, S>& stencils, const PackGiven<D, parts_force>& given, int lane,
                          const Strides<D>& stride, double* tile) noexcept {
-  constexpr bool has_slope = Rule::has_affine || !has_force;
-  constexpr bool has_arm = Rule::has_affine && !Rule::has_affine_gradient;
+  constexpr bool has_slope = Rule::has_affine || !parts_force;
   double* first = tile + stencils.first[lane];
   ToNodes<D> momentum;
   momentum.value = Four::load(given.momentum[lane][0]);
   if constexpr (has_slope) {
     for (int j = 0; j < D; ++j) momentum.slope[j] = Four::load(given.momentum[lane][1 + j]);
   }
-  add_to_nodes<D, S, true, has_slope>(momentum, stencils.weight, has_arm ? stencils.arm : stencils.slope,
-                                      lane, stride, first);
-  if constexpr (has_force) {
+  add_to_nodes<D, S, true, has_slope>(
+      momentum, stencils.weight, Record<Rule>::has_arm ? stencils.arm : stencils.slope, lane, stride, first);
+  if constexpr (parts_force) {
     ToNodes<D> force;
     for (int j = 0; j < D; ++j) force.slope[j] = Four::load(given.force[lane][j]);
     add_to_nodes<D, S, false, true>(force, stencils.weight, stencils.slope, lane, stride,
@@ -197,7 +202,7 @@ void scatter(const AnyShape& any_shape, const PointColumns<D, V>& columns, const
   TileType tile;
   std::fill_n(tile.values, TileType::num_values, 0.0);
   PackStencils<D, ShapeType::support> stencils;
-  PackGiven<D, Record<Rule>::has_force> given;
+  PackGiven<D, Record<Rule>::parts_force> given;
   for (Index p = columns.begin; p < columns.end; p += Pack::size) {
     const Point<Pack, D, V> point = load(columns, p);
     const auto stencil = stencil_at<Rule, D>(shape, point.position, place.origin, place.inverse_spacing);

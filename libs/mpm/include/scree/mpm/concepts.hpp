@@ -34,8 +34,7 @@ concept Shape = requires(double xi) {
 /// by N_i (x_i - x_p). `has_affine_gradient`: forces and the velocity gradient go by the shape's affine
 /// weights, else by its gradients. `increment_share`: how much of a point's new velocity is its old one plus
 /// the nodes' increment, the rest being the nodes' velocity. `has_increment`: that share can differ from
-/// zero, or forces need a place of their own at the nodes, as they do under `has_affine` without
-/// `has_affine_gradient`.
+/// zero, so that forces have a place of their own at the nodes.
 template <class T>
 concept TransferRule = requires(const T rule) {
   { T::name } -> std::convertible_to<std::string_view>;
