@@ -15,8 +15,8 @@ class TriangleTree;
 ///
 /// The distance is that of the nearest place of the triangles, to round-off, found in a tree of boxes. Its
 /// sign is that of the angle-weighted pseudo-normal there, right on edges and corners too. Beyond the rim of
-/// an open surface the sign is that of the plane of the triangle at the rim.  @see Eq. (M65), \cite
-/// baerentzen2005
+/// an open surface the sign is that of the plane of the triangle at the rim.  @see Eq. (M65),
+/// \cite baerentzen2005
 class TriangleSurface {
  public:
   /// @throws InputError naming the triangle if one has no area or names a vertex that is not there, or two
