@@ -16,6 +16,7 @@ namespace {
 /// "friction [-], cohesion [Pa]" of parameters or columns.
 [[nodiscard]] std::string names_with_units(const auto& described) {
   std::vector<std::string> names;
+  names.reserve(described.size());
   for (const auto& one : described) names.push_back(fmt::format("{} [{}]", one.name, one.unit));
   return fmt::format("{}", fmt::join(names, ", "));
 }
