@@ -95,7 +95,10 @@ TYPED_TEST(EveryTransfer, LetsABodyFallFreely) {
   auto particles = scattered<D>(grid, 60, 0);
   auto stages = this->stages(particles);
   stages.gravity.fill(-9.81);
-  stages.mass_floor = 0;  // Eq. (M20) drops momentum, which is not a rounding
+  // What Eq. (M20) drops comes back larger in gradients by the plain slopes than a rounding is;
+  // mpm_failures.md
+  using Rule = typename TypeParam::Rule;
+  if constexpr (Rule::has_affine && !Rule::has_affine_gradient) stages.mass_floor = 0;
   auto state = start(std::move(particles), grid, stages, one_thread);
 
   constexpr int num_steps = 100;
