@@ -54,10 +54,13 @@ TEST(InputColumn, NamesTheRangeThatItIsGiven) {
   constexpr InputColumn share{"share", "-", 0.5, {.lower = 0, .upper = 1, .is_open = false}};
   constexpr InputColumn packing{"packing", "-", 0.6, {.lower = 0, .upper = 1}};
   constexpr InputColumn depth{"depth", "m", 1, {.is_open = false}};
+  constexpr InputColumn rate{"rate", "1/s", 0, {-infinity, infinity}};
 
   EXPECT_EQ(complaint(share, 1.5), "the law 'sand' reads share = 1.5: must lie in [0, 1]");
   EXPECT_EQ(complaint(packing, 1), "the law 'sand' reads packing = 1: must lie in (0, 1)");
   EXPECT_EQ(complaint(depth, -1), "the law 'sand' reads depth = -1 m: must be finite and at least 0");
+  EXPECT_EQ(complaint(rate, -1e300), "");
+  EXPECT_EQ(complaint(rate, nan), "the law 'sand' reads rate = nan 1/s: must be finite");
   EXPECT_EQ(complaint(share, 0) + complaint(share, 1) + complaint(depth, 0), "");
 }
 

@@ -17,6 +17,8 @@ void require_in_range(std::string_view law, const InputColumn& column, double va
   if (std::isfinite(range.upper)) {
     message << ": must lie in " << (range.is_open ? '(' : '[') << range.lower << ", " << range.upper
             << (range.is_open ? ')' : ']');
+  } else if (!std::isfinite(range.lower)) {
+    message << ": must be finite";
   } else {
     message << ": must be finite and " << (range.is_open ? "above " : "at least ") << range.lower;
   }
