@@ -3,11 +3,12 @@
 #include "scree/dimensions.hpp"
 
 #include <scree/rheology_stiff/implicit_viscosity.hpp>
-#include <scree/rheology_stiff/step_choice.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -175,19 +176,26 @@ class ViscousNodes final : public mpm::NodeSolve<D, V> {
   std::vector<double> viscosity_;
 };
 
-/// The choice for the material as it is: by the step that everything but viscosity allows.
+/// The steps that the material as it is allows.
+struct StepLimits {
+  double others;   ///< the shortest of all but viscosity's [s]
+  double viscous;  ///< [s]; infinite if nothing is viscous
+};
+
 template <int D, int V>
-[[nodiscard]] rheology::ViscousChoice choice_for(const Scene& scene, const CartesianGrid<D>& grid,
-                                                 const mpm::Particles<D, V>& particles,
-                                                 const mpm::Stages<D, V>& stages) {
+[[nodiscard]] StepLimits step_limits(const Scene& scene, const CartesianGrid<D>& grid,
+                                     const mpm::Particles<D, V>& particles, const mpm::Stages<D, V>& stages) {
   const mpm::BlockStiffness stiffness = stages.stress->stiffness(particles);
-  const double step =
+  const double others =
       mpm::stable_time_step(grid, {stiffness.wave_speed, 0, 0, stiffness.relaxation_rate}, scene.time_step)
           .dt;
   const double rate = 2 * stiffness.kinematic_viscosity * grid.spacing().cwiseInverse().squaredNorm();
-  const double limit = rate > 0 ? scene.time_step.viscous / rate : std::numeric_limits<double>::infinity();
-  return rheology::choose_viscous_method(step, limit, D);
+  return {others, rate > 0 ? scene.time_step.viscous / rate : std::numeric_limits<double>::infinity()};
 }
+
+/// How many times as short explicit steps must be for a solve to pay, by dimension: it costs as much as 2, 12
+/// and 35 explicit steps of points.
+constexpr std::array<double, 3> solve_pays_from{3, 15, 40};
 
 }  // namespace
 
@@ -197,11 +205,16 @@ std::string choose_viscosity(const Scene& scene, const CartesianGrid<D>& grid,
   if (scene.viscosity == ViscosityScheme::with_stress) return {};
   std::string note;
   if (scene.viscosity == ViscosityScheme::automatic) {
-    const auto choice = choice_for(scene, grid, particles, stages);
-    const bool is_explicit = choice.method == rheology::ViscousMethod::explicit_steps;
-    const auto from = choice.reason.find("the step of");
-    note = std::string{"viscosity is "} + (is_explicit ? "explicit" : "implicit") + ": " +
-           choice.reason.substr(from, choice.reason.rfind(", ") - from);
+    const StepLimits limits = step_limits(scene, grid, particles, stages);
+    const double ratio = limits.others / limits.viscous;
+    const double enough = solve_pays_from[at(D - 1)];
+    const bool is_explicit = !(ratio > enough);
+    std::ostringstream text;
+    text.precision(3);
+    text << "viscosity is " << (is_explicit ? "explicit" : "implicit") << ": the step of " << limits.others
+         << " s is " << ratio << " times the viscous limit of " << limits.viscous << " s, "
+         << (is_explicit ? "not above " : "above ") << enough;
+    note = text.str();
     if (is_explicit) return note;
   }
   stages.stress = std::make_unique<WithoutViscosity<D, V>>(std::move(stages.stress), particles);

@@ -89,9 +89,13 @@ TEST(AutomaticViscosity, ChoosesByTheRatioOfSteps) {
   };
   // 0.02 m cells: sound allows 1e-4 s, viscosity 0.1/mu.
   EXPECT_EQ(note("750"),
-            "viscosity is explicit: the step of 0.0001 s is 0.75 times the viscous limit of 0.000133 s");
-  EXPECT_EQ(note("1e6"),
-            "viscosity is implicit: the step of 0.0001 s is 1e+03 times the viscous limit of 1e-07 s");
+            "viscosity is explicit: the step of 0.0001 s is 0.75 times the viscous limit of 0.000133 s, not "
+            "above 3");
+  EXPECT_EQ(note("2900").substr(0, 21), "viscosity is explicit");  // 2.9
+  EXPECT_EQ(note("3100").substr(0, 21), "viscosity is implicit");
+  EXPECT_EQ(
+      note("1e6"),
+      "viscosity is implicit: the step of 0.0001 s is 1e+03 times the viscous limit of 1e-07 s, above 3");
 }
 
 TEST(ImplicitViscosityKey, NeedsHatFunctions) {

@@ -15,9 +15,13 @@ TEST(ChooseViscousMethod, TakesTheCheapestByTheRatioOfSteps) {  // Eq. (R144)
   };
   for (const int dimension : {1, 2, 3}) {
     EXPECT_EQ(method(0, dimension), ViscousMethod::explicit_steps);
+  }
+  EXPECT_EQ(method(4.99, 1), ViscousMethod::explicit_steps);
+  EXPECT_EQ(method(5.01, 1), ViscousMethod::implicit);
+  for (const int dimension : {2, 3}) {
     EXPECT_EQ(method(2.99, dimension), ViscousMethod::explicit_steps);
     EXPECT_EQ(method(3.01, dimension), ViscousMethod::rkl2);
-    const double threshold = dimension == 1 ? 100 : dimension == 2 ? 5000 : 10000;
+    const double threshold = dimension == 2 ? 5000 : 10000;
     EXPECT_EQ(method(0.99 * threshold, dimension), ViscousMethod::rkl2);
     EXPECT_EQ(method(1.01 * threshold, dimension), ViscousMethod::implicit);
   }
@@ -27,7 +31,7 @@ TEST(ChooseViscousMethod, CountsStepsThatAreStable) {
   EXPECT_EQ(choose_viscous_method(1, 1, 1).count, 1);
   EXPECT_EQ(choose_viscous_method(1.01, 1, 1).count, 2);
   EXPECT_EQ(choose_viscous_method(2.5, 1, 1).count, 3);
-  EXPECT_EQ(choose_viscous_method(50, 1, 1).count, 15);  // (225 + 15 - 2)/4 = 59.5; 13 give 45
+  EXPECT_EQ(choose_viscous_method(50, 1, 2).count, 15);  // (225 + 15 - 2)/4 = 59.5; 13 give 45
   EXPECT_EQ(choose_viscous_method(1, std::numeric_limits<double>::infinity(), 3).count, 1);
 }
 
@@ -41,7 +45,7 @@ TEST(ChooseViscousMethod, SaysWhy) {
       "viscosity takes a super-time-step of 15 stages: the step of 0.001 s is 50 times the viscous limit "
       "of 2e-05 s, not above 5e+03 in 2D");
   EXPECT_EQ(choose_viscous_method(1e-3, 2e-6, 1).reason,
-            "viscosity is implicit: the step of 0.001 s is 500 times the viscous limit of 2e-06 s, above 100 "
+            "viscosity is implicit: the step of 0.001 s is 500 times the viscous limit of 2e-06 s, above 5 "
             "in 1D");
 }
 

@@ -28,6 +28,8 @@ class Preconditioner {
   /// The matrix stays where it is until the next call.
   virtual void prepare(const ViscousMatrix& matrix) = 0;
   virtual void solve(std::span<double> z) = 0;
+  /// Whether `solve` leaves nothing but round-off.
+  [[nodiscard]] virtual bool is_exact() const noexcept { return false; }
   /// Products with the operator that one `solve` takes, in those of the finest grid [-].
   [[nodiscard]] virtual double products() const noexcept { return 0; }
 };

@@ -11,8 +11,8 @@ namespace scree::rheology {
 namespace {
 
 // Ratios of steps at which the next method becomes cheaper, measured.  Eq. (R144)
-constexpr double explicit_up_to = 3;
-constexpr std::array<double, 3> rkl2_up_to{100, 5000, 10000};  // by dimension
+constexpr std::array<double, 3> explicit_up_to{5, 3, 3};     // by dimension
+constexpr std::array<double, 3> rkl2_up_to{5, 5000, 10000};  // in 1D a solve costs no more than 3 stages
 
 template <class... Part>
 std::string text_of(const Part&... part) {
@@ -37,23 +37,23 @@ ViscousChoice choose_viscous_method(double step, double explicit_step, int dimen
     throw InputError{text_of("choose_viscous_method: ", dimension, " dimensions: must be 1, 2 or 3")};
   }
   const double ratio = step / explicit_step;
-  const double implicit_from = rkl2_up_to[static_cast<std::size_t>(dimension - 1)];
+  const auto which = static_cast<std::size_t>(dimension - 1);
   const std::string found =
       text_of("the step of ", step, " s is ", ratio, " times the viscous limit of ", explicit_step, " s");
-  if (ratio <= explicit_up_to) {
+  if (ratio <= explicit_up_to[which]) {
     const int count = ratio > 1 ? static_cast<int>(std::ceil(ratio)) : 1;
     return {ViscousMethod::explicit_steps, count,
             text_of("viscosity is explicit, ", count, count == 1 ? " step" : " steps", ": ", found,
-                    ", not above ", explicit_up_to)};
+                    ", not above ", explicit_up_to[which])};
   }
-  if (ratio <= implicit_from) {
+  if (ratio <= rkl2_up_to[which]) {
     const int stages = rkl2_stages(step, explicit_step);
     return {ViscousMethod::rkl2, stages,
             text_of("viscosity takes a super-time-step of ", stages, " stages: ", found, ", not above ",
-                    implicit_from, " in ", dimension, "D")};
+                    rkl2_up_to[which], " in ", dimension, "D")};
   }
   return {ViscousMethod::implicit, 1,
-          text_of("viscosity is implicit: ", found, ", above ", implicit_from, " in ", dimension, "D")};
+          text_of("viscosity is implicit: ", found, ", above ", rkl2_up_to[which], " in ", dimension, "D")};
 }
 
 }  // namespace scree::rheology

@@ -19,7 +19,8 @@ struct ViscousChoice {
 };
 
 /// The cheapest method for a step, from its ratio to the longest stable explicit one. Measured crossovers:
-/// Eq. (R144).
+/// Eq. (R144). They are for viscosities that are given over the step; one that depends on the velocity costs
+/// a solve for each of Newton's iterations.
 /// @param step wanted [s]  @param explicit_step longest stable one of explicit Euler [s]; infinite if nothing
 /// is viscous  @param dimension of space, 1 to 3
 /// @throws InputError if one is out of range
