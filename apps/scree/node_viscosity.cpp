@@ -65,6 +65,9 @@ class WithoutViscosity final : public mpm::StressUpdate<D, V> {
                                   double wanted) const override {
     return whole_->density_at(particles, p, wanted);
   }
+  void require_inputs(const mpm::Particles<D, V>& particles) const override {
+    whole_->require_inputs(particles);
+  }
   [[nodiscard]] mpm::BlockStiffness stiffness(const mpm::Particles<D, V>& particles) const noexcept override {
     return without_viscosity(whole_->stiffness(particles));
   }

@@ -142,7 +142,7 @@ Simulation<D, V>::Simulation(const Scene& scene, Threads threads)
   }
   if (crushes(scene_.law)) {
     crushing_.emplace(state.particles, *scene_.grains, scene_.mixture.ultimate_fractal_dimension);
-    if (crushing_->advance(state.particles)) mixture_->update(state.particles);
+    if (crushing_->advance(state.particles)) follow_grains();
   }
   observe_fractions(state.particles, tally.fractions);
   tally.first_class_masses = class_masses(state.particles);
@@ -206,7 +206,7 @@ bool Simulation<D, V>::step() {
   const bool reaches_frame = left <= next.dt;
   if (reaches_frame) next = {left, mpm::Limit::output};
   mpm::step(state, stages_, next.dt, threads_);
-  if (crushing_ && crushing_->advance(state.particles)) mixture_->update(state.particles);
+  if (crushing_ && crushing_->advance(state.particles)) follow_grains();
   clock.time = reaches_frame ? next_frame_time() : clock.time + next.dt;
   ++clock.step;
   if (reaches_frame) ++clock.frame;
@@ -219,10 +219,21 @@ bool Simulation<D, V>::step() {
 }
 
 template <int D, int V>
+void Simulation<D, V>::follow_grains() {
+  mixture_->update(state.particles);
+  try {
+    stages_.stress->require_inputs(state.particles);
+  } catch (const InputError& error) {
+    throw RunError{std::string{error.what()} +
+                   "; the grains of this point have become none that the law knows"};
+  }
+}
+
+template <int D, int V>
 void Simulation<D, V>::segregate() {
   const auto start = std::chrono::steady_clock::now();
   const auto report = coupling_->advance(state, clock.unsegregated_time);
-  mixture_->update(state.particles);
+  follow_grains();
   observe_fractions(state.particles, tally.fractions);
   clock.unsegregated_time = 0;
   clock.unsegregated_steps = 0;

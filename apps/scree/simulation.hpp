@@ -79,6 +79,7 @@ class Simulation {
   double first_dt_ = 0;  // the first stable step [s]
 
   void segregate();
+  void follow_grains();
   void require_progress(const mpm::TimeStep& next);
 
  public:

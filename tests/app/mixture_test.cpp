@@ -4,6 +4,7 @@
 #include "scree/simulation.hpp"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -162,6 +163,26 @@ TEST(BadMixture, KeysThatTheLawDoesNotReadAreUnknown) {
   EXPECT_EQ(
       message_of(text),
       "scene.toml:20: [grains] coarse_size: unknown key, known here: distribution, diameters, fractions");
+}
+
+TEST(RunningMixture, StopsWhenThePaperMapLeavesAPointNoSizeThatItsLawKnows) {
+  Simulation<1, 2> column{scene_of("inclined_plane_column", {"segregation.map=increments"}), {1}};
+  mpm::Particles<1, 2>& particles = column.state.particles;
+  mpm::Column& fractions = particles.column(particles.find_column(fraction_column, "the test"));
+  fractions.component(0)[1] = 2.2;  // 2.2 (0.5 mm) - 1.2 (1 mm) = -0.1 mm
+  fractions.component(1)[1] = -1.2;
+
+  std::string message;
+  try {
+    while (!column.is_finished() && column.tally.segregation_steps == 0) column.step();
+  } catch (const RunError& error) {
+    message = error.what();
+  }
+  EXPECT_THAT(message, ::testing::StartsWith("the law 'size_dependent_newtonian' reads grain_size = -"));
+  EXPECT_THAT(message, ::testing::HasSubstr(" m of material point "));
+  EXPECT_THAT(message,
+              ::testing::EndsWith(": must be finite and above 0; the grains of this point have become "
+                                  "none that the law knows"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ void require_in_range(const Particles<D, V>& particles, std::size_t column, cons
                       std::string_view law) {
   const double* const values = particles.column(column).component(0);
   for (Index p = 0; p < particles.size(); ++p) {
-    if (input.range.contains(values[p])) continue;
+    if (input.range.contains(values[p]) || particles.mass.component(0)[p] == 0) continue;
     scree::require_in_range(law, input, values[p], point_text(particles, p));
   }
 }

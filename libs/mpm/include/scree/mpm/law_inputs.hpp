@@ -7,7 +7,8 @@
 
 namespace scree::mpm {
 
-/// Checks what a law is to read, once, when a run is assembled.
+/// Checks what a law is to read of the points that have mass: when a run is assembled, and when what it reads
+/// has changed.
 /// @param column index of the column among the particles' own
 /// @throws InputError naming law, column, value and range, and the first point whose value is out of it.
 template <int D, int V>

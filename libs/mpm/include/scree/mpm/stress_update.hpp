@@ -58,6 +58,10 @@ class StressUpdate {
   /// @throws RunError naming the law if it has no such density.
   [[nodiscard]] virtual double density_at(const Particles<D, V>& particles, Index p, double wanted) const = 0;
 
+  /// Checks what the law reads of each point that has mass; for when inputs have changed.
+  /// @throws InputError as require_in_range() does.
+  virtual void require_inputs(const Particles<D, V>& particles) const = 0;
+
   /// What the points as they are would bound a step by; changes nothing.
   [[nodiscard]] virtual BlockStiffness stiffness(const Particles<D, V>& particles) const noexcept = 0;
 };
@@ -86,8 +90,8 @@ class StressUpdateBy final : public StressUpdate<D, V> {
       : law_{law}, kernel_{kernel_of(law, set)} {
     for (std::size_t i = 0; i < num_inputs; ++i) {
       inputs_[i] = input_column(particles, Law::inputs[i]);
-      require_in_range(particles, inputs_[i], Law::inputs[i], Law::name);
     }
+    StressUpdateBy::require_inputs(particles);
     for (std::size_t i = 0; i < num_states; ++i) {
       states_[i] = state_column(particles, Law::states[i]);
     }
@@ -101,6 +105,12 @@ class StressUpdateBy final : public StressUpdate<D, V> {
     BlockStiffness worst = kernel_(law_, columns_of(particles, block), dt);
     if (worst.unsolved > 0) worst.unsolved_point += block.begin;
     return worst;
+  }
+
+  void require_inputs(const Particles<D, V>& particles) const override {
+    for (std::size_t i = 0; i < num_inputs; ++i) {
+      require_in_range(particles, inputs_[i], Law::inputs[i], Law::name);
+    }
   }
 
   void pressure(const Particles<D, V>& particles, std::span<double> pressure) const noexcept override {
