@@ -99,16 +99,34 @@ template <TransferRule Rule, class Real, int D, int V, std::size_t S>
   return given;
 }
 
+/// det(1 + dt L): the volume, over its own, that an affine motion x + dt v makes of a body. Components of
+/// velocity without an axis have no part in it.  [-], Eq. (M125)
+template <class Real, int D, int V>
+[[nodiscard]] inline Real volume_ratio(const Components<Components<Real, V>, D>& velocity_gradient,
+                                       double dt) noexcept {
+  Components<Components<Real, D>, D> F;  // [j][i]
+  for (std::size_t j = 0; j < D; ++j) {
+    for (std::size_t i = 0; i < D; ++i) F[j][i] = (i == j ? 1.0 : 0.0) + dt * velocity_gradient[j][i];
+  }
+  if constexpr (D == 1) {
+    return F[0][0];
+  } else if constexpr (D == 2) {
+    return F[0][0] * F[1][1] - F[0][1] * F[1][0];
+  } else {
+    return F[0][0] * (F[1][1] * F[2][2] - F[1][2] * F[2][1]) -
+           F[0][1] * (F[1][0] * F[2][2] - F[1][2] * F[2][0]) +
+           F[0][2] * (F[1][0] * F[2][1] - F[1][1] * F[2][0]);
+  }
+}
+
 /// The point after a step.  Eqs. (M8), (M9), (M12), (M13)
 template <TransferRule Rule, class Real, int D, int V>
 [[nodiscard]] inline Point<Real, D, V> take(const Rule& rule, const Point<Real, D, V>& point,
                                             const Taken<Real, D, V>& taken, double dt) noexcept {
   Point<Real, D, V> next = point;
-  Real divergence = taken.velocity_gradient[0][0];
-  for (std::size_t j = 1; j < D; ++j) divergence = divergence + taken.velocity_gradient[j][j];
   for (std::size_t j = 0; j < D; ++j) next.position[j] = point.position[j] + dt * taken.velocity[j];
   next.velocity_gradient = taken.velocity_gradient;
-  next.density = point.density / (1 + dt * divergence);
+  next.density = point.density / volume_ratio<Real, D, V>(taken.velocity_gradient, dt);
   if constexpr (Rule::has_increment) {
     const double share = rule.increment_share();
     for (std::size_t i = 0; i < V; ++i) {

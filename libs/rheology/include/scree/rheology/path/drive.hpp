@@ -33,7 +33,7 @@ struct PathRecord {
 
 /// Leads a point along stages: in each step the rates of deformation that no stage imposes are found by
 /// Newton's method with a line search on the law's stress at the end of the step, Eqs. (R27) to (R29). The
-/// density changes as that of a material point of mpm. Memory and state of the point change step by step, so
+/// density goes with the rate of volume. Memory and state of the point change step by step, so
 /// that a path may be cut at any stage and gone on with.
 /// @returns a record for the start and for the end of each step.
 /// @throws InputError if a stage or an option will not do.
