@@ -53,8 +53,9 @@ Particles<D> swirl(const CartesianGrid<D>& grid, Index fill, Index pad) {
 template <int D>
 class Classes {
  public:
-  Classes(Particles<D>& particles, const CartesianGrid<D>& grid, const AnyShape& shape, int count)
-      : carried_{grid, Sites::nodes, shape} {
+  Classes(Particles<D>& particles, const CartesianGrid<D>& grid, const AnyShape& shape, int count,
+          Sites sites = Sites::nodes)
+      : carried_{grid, sites, shape} {
     if (count == 0) return;
     column_ = particles.add_column({"fractions", "phi", "-"}, count);
     std::fill(fractions(particles).values().begin(), fractions(particles).values().end(), 1.0 / count);
@@ -111,6 +112,20 @@ void step_of_points(benchmark::State& bench, const AnyShape& shape, const AnyTra
   bench.counters["gather_ns"] = state.seconds.gather / updates * 1e9;
 }
 
+/// Fractions to the sites and back alone.
+template <int D>
+void classes_of_points(benchmark::State& bench, Index fill, int count, Sites sites) {
+  const auto grid = cube<D>(fill + 10, 1.0 / static_cast<double>(fill), false);
+  auto particles = swirl<D>(grid, fill, 5);
+  const Index num_points = particles.size();
+  const AnyShape shape = Quadratic{};
+  Classes<D> classes{particles, grid, shape, count, sites};
+  const auto stages = stages_of<D, D>(particles, shape, Apic{});
+  auto state = start(std::move(particles), grid, stages, Threads{1});
+  for (auto _ : bench) classes.there_and_back(state, Threads{1});
+  bench.SetItemsProcessed(bench.iterations() * num_points);
+}
+
 /// What a sort costs, and so how often it may come: it is due when a point has gone a cell.
 template <int D>
 void sort_of_points(benchmark::State& bench, Index fill) {
@@ -141,6 +156,15 @@ void add_all() {
   add<D>("apic_quadratic_2e6_points", Quadratic{}, Apic{}, {.fill = D == 2 ? 707 : 63});
   add<D>("flip_quadratic", Quadratic{}, PicFlip{1}, {.fill = fill});
   add<D>("flip_linear", Linear{}, PicFlip{1}, {.fill = fill});
+  for (const int count : {2, 8}) {
+    for (const Sites sites : {Sites::cells, Sites::nodes}) {
+      const std::string name = std::to_string(D) + "D_" + std::to_string(count) + "_classes_" +
+                               (sites == Sites::cells ? "cells" : "nodes") + "_and_back";
+      benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& bench) {
+        classes_of_points<D>(bench, fill, count, sites);
+      })->Unit(benchmark::kMillisecond);
+    }
+  }
   benchmark::RegisterBenchmark((std::to_string(D) + "D_sort").c_str(), [](benchmark::State& bench) {
     sort_of_points<D>(bench, fill);
   })->Unit(benchmark::kMillisecond);

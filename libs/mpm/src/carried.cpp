@@ -1,77 +1,136 @@
 #include "instances.hpp"
-#include "stencil.hpp"
+#include "kernel_choice.hpp"
+#include "kernels/carried_kernels.hpp"
 
 #include <scree/mpm/carried_cells.hpp>
 #include <scree/mpm/exchange_map.hpp>
-#include <scree/mpm/shapes/top_hat.hpp>
 
 #include <algorithm>
-#include <variant>
+#include <cmath>
 
 namespace scree::mpm {
 
 namespace {
 
-using detail::place_of;
-using detail::stencil_nodes;
+template <int D>
+[[nodiscard]] CarriedKernels<D> kernels_for([[maybe_unused]] InstructionSet set, Sites sites,
+                                            std::size_t shape) noexcept {
+#ifdef SCREE_WIDE_KERNELS
+  if (set == InstructionSet::x86_64_v4) return x86_64_v4::carried_kernels<D>(sites, shape);
+  if (set == InstructionSet::x86_64_v3) return x86_64_v3::carried_kernels<D>(sites, shape);
+#endif
+  return baseline::carried_kernels<D>(sites, shape);
+}
 
-/// Number of a site along an axis. Past an end stand the images of the sites inside.
+/// Number of a site along an axis; that of the site whose image it is in the first layer past an end; -1 if
+/// it is further out.
 template <int D>
 [[nodiscard]] Index site_along(const Lattice<D>& lattice, Index site, std::size_t axis) noexcept {
   const Index n = lattice.count[axis];
   if (lattice.is_periodic[axis]) return (site % n + n) % n;
-  const Index image_of_first =
-      lattice.sites == Sites::cells ? -1 : 0;  // in the low wall: they share it, or sit on it
+  if (site < -1 || site > n) return -1;
+  const Index image_of_first = lattice.sites == Sites::cells ? -1 : 0;  // they share the wall, or sit on it
   if (site < 0) return std::min(image_of_first - site, n - 1);
   if (site >= n) return std::max(2 * (n - 1) - image_of_first - site, Index{0});
   return site;
 }
 
-/// The sites that a point touches, with their weights.
-template <int D, class ShapeType>
-struct Touched {
-  static constexpr auto table = stencil_nodes<D, ShapeType::support>();
-  std::array<Index, table.size()> site;
-  std::array<double, table.size()> weight;
-
-  Touched(const CartesianGrid<D>& grid, const Lattice<D>& lattice, const Column& position, Index p) noexcept {
-    std::array<std::array<double, ShapeType::support>, D> weights;
-    std::array<std::array<Index, ShapeType::support>, D> sites;
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      const int a = static_cast<int>(axis);
-      const auto place =
-          place_of(position.component(a)[p], grid.origin()[a], 1 / grid.spacing()[a], ShapeType::shift);
-      weights[axis] = ShapeType::weights(place.xi);
-      for (std::size_t i = 0; i < ShapeType::support; ++i) {
-        sites[axis][i] = site_along(lattice, place.base + static_cast<Index>(i), axis) * lattice.stride(a);
-      }
-    }
-    for (std::size_t n = 0; n < table.size(); ++n) {
-      site[n] = 0;
-      weight[n] = 1;
-      for (std::size_t axis = 0; axis < D; ++axis) {
-        site[n] += sites[axis][table[n][axis]];
-        weight[n] *= weights[axis][table[n][axis]];
-      }
-    }
-  }
-};
-
-/// Calls body(shape) with the weights that belong to a kind of site.
+/// Calls body(begin, end) for batches of sites.
 template <class Body>
-void visit_weights(Sites sites, const AnyShape& shape, Body&& body) {
-  if (sites == Sites::cells) {
-    body(TopHat{});
-  } else {
-    std::visit(body, shape);
+void for_each_batch(std::size_t num_sites, Threads threads, Body&& body) {
+  constexpr std::size_t per_batch = 4096;
+  for_each_block(static_cast<Index>((num_sites + per_batch - 1) / per_batch), threads, [&](Index batch) {
+    const std::size_t begin = static_cast<std::size_t>(batch) * per_batch;
+    body(begin, std::min(begin + per_batch, num_sites));
+  });
+}
+
+/// The sums that the columns `first`, .. of mass and fields add to: mass is column 0.
+[[nodiscard]] FourSums sums_of(std::span<const CarriedField> fields, std::size_t first,
+                               std::span<double> masses, std::span<double> means) noexcept {
+  FourSums sums;
+  const std::size_t count = std::min<std::size_t>(fields.size() + 1 - first, 4);
+  sums.count = static_cast<int>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t column = first + i;
+    const bool is_mass = column == 0;
+    sums.field[i] = is_mass ? nullptr : fields[column - 1].column->component(fields[column - 1].component);
+    sums.sum[i] = is_mass ? masses.data() : means.data() + (column - 1);
+    sums.step[i] = is_mass ? 1 : static_cast<Index>(fields.size());
   }
+  return sums;
+}
+
+/// What a site tells its points.  @param loss,gain of each class
+void change_of_site(std::span<const double> before, std::span<const double> after, CarriedMap map,
+                    std::span<double> loss, std::span<double> gain) noexcept {
+  if (map == CarriedMap::exchange) return exchange_at_site(before, after, loss, gain);
+  for (std::size_t k = 0; k < gain.size(); ++k) {
+    loss[k] = 0;
+    gain[k] = after[k] - before[k];
+  }
+}
+
+/// Whether all points of a block are where its tile reaches.
+template <int D>
+[[maybe_unused]] bool is_in_reach(const CarriedBlock<D>& block, double shift, Index reach) noexcept {
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const double* position = block.position + static_cast<Index>(axis) * block.stride;
+    for (Index p = block.begin; p < block.end; ++p) {
+      const double base =
+          std::floor((position[p] - block.origin[axis]) * block.inverse_spacing[axis] - shift) -
+          block.first[axis];
+      if (!(0 <= base && base < static_cast<double>(reach))) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether the fractions of each point sum to one.
+[[maybe_unused]] bool sum_to_one(const Column& fractions) noexcept {
+  const double operations = 16.0 * fractions.num_components();  // on each of the fractions
+  for (Index p = 0; p < fractions.size(); ++p) {
+    double sum = 0;
+    for (int k = 0; k < fractions.num_components(); ++k) sum += fractions.component(k)[p];
+    if (!(std::abs(sum - 1) <= operations * round_off)) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
 template <int D, int V>
-CarriedCells<D, V>::CarriedCells(const CartesianGrid<D>& grid, Sites sites, const AnyShape& shape)
-    : grid_{grid}, lattice_{sites == Sites::cells ? grid.cells() : grid.nodes()}, shape_{shape} {}
+CarriedCells<D, V>::CarriedCells(const CartesianGrid<D>& grid, Sites sites, const AnyShape& shape,
+                                 InstructionSet set)
+    : grid_{grid}, lattice_{sites == Sites::cells ? grid.cells() : grid.nodes()}, shape_{shape}, set_{set} {
+  detail::require_kernels(set, "CarriedCells");
+}
+
+template <int D, int V>
+CarriedBlock<D> CarriedCells<D, V>::opened(const Particles<D, V>& particles,
+                                           const ParticleBlock<D>& block) const noexcept {
+  CarriedBlock<D> open;
+  open.position = particles.position.component(0);
+  open.mass = particles.mass.component(0);
+  open.stride = particles.size();
+  open.begin = block.begin;
+  open.end = block.end;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const Index first = block.first_cell[axis] - 1;
+    open.origin[axis] = grid_.origin()[static_cast<int>(axis)];
+    open.inverse_spacing[axis] = 1 / grid_.spacing()[static_cast<int>(axis)];
+    open.first[axis] = static_cast<double>(first);
+    for (std::size_t i = 0; i < max_tile_edge<D>; ++i) {
+      const Index site = site_along(lattice_, first + static_cast<Index>(i), axis);
+      open.site[axis][i] = site < 0 ? -1 : site * lattice_.stride(static_cast<int>(axis));
+    }
+  }
+  [[maybe_unused]] const bool is_cells = lattice_.sites == Sites::cells;
+  [[maybe_unused]] const double shift =
+      is_cells ? 0 : std::visit([](const auto& shape) { return shape.shift; }, shape_);
+  SCREE_ASSERT(is_in_reach(open, shift, block_edge<D> + 2 + (is_cells ? 1 : 0)));
+  return open;
+}
 
 template <int D, int V>
 void CarriedCells<D, V>::to_sites(const Particles<D, V>& particles, const ParticleBlocks<D>& blocks,
@@ -80,29 +139,23 @@ void CarriedCells<D, V>::to_sites(const Particles<D, V>& particles, const Partic
   const std::size_t num_fields = fields.size();
   SCREE_ASSERT(static_cast<Index>(masses.size()) == lattice_.num_sites());
   SCREE_ASSERT(means.size() == masses.size() * num_fields);
-  std::fill(masses.begin(), masses.end(), 0.0);
-  std::fill(means.begin(), means.end(), 0.0);
-  visit_weights(lattice_.sites, shape_, [&](auto shape) {
-    blocks.for_each_coloured(threads, [&](Index b) {
-      const ParticleBlock<D>& block = blocks.blocks[static_cast<std::size_t>(b)];
-      for (Index p = block.begin; p < block.end; ++p) {
-        const double mass = particles.mass.component(0)[p];
-        const Touched<D, decltype(shape)> touched{grid_, lattice_, particles.position, p};
-        for (std::size_t n = 0; n < touched.site.size(); ++n) {
-          const auto site = static_cast<std::size_t>(touched.site[n]);
-          const double share = touched.weight[n] * mass;
-          masses[site] += share;
-          for (std::size_t f = 0; f < num_fields; ++f) {
-            means[site * num_fields + f] += share * fields[f].column->component(fields[f].component)[p];
-          }
-        }
-      }
-    });
+  const auto kernels = kernels_for<D>(set_, lattice_.sites, shape_.index());
+  for_each_batch(masses.size(), threads, [&](std::size_t begin, std::size_t end) {
+    std::ranges::fill(masses.subspan(begin, end - begin), 0.0);
+    std::ranges::fill(means.subspan(begin * num_fields, (end - begin) * num_fields), 0.0);
   });
-  for (std::size_t site = 0; site < masses.size(); ++site) {
-    if (!(masses[site] > 0)) continue;
-    for (std::size_t f = 0; f < num_fields; ++f) means[site * num_fields + f] /= masses[site];
-  }
+  blocks.for_each_coloured(threads, [&](Index b) {
+    const CarriedBlock<D> block = opened(particles, blocks.blocks[static_cast<std::size_t>(b)]);
+    for (std::size_t first = 0; first <= num_fields; first += 4) {
+      kernels.to_sites(shape_, block, sums_of(fields, first, masses, means));
+    }
+  });
+  for_each_batch(masses.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t site = begin; site < end; ++site) {
+      if (!(masses[site] > 0)) continue;
+      for (std::size_t f = 0; f < num_fields; ++f) means[site * num_fields + f] /= masses[site];
+    }
+  });
 }
 
 template <int D, int V>
@@ -110,71 +163,26 @@ void CarriedCells<D, V>::to_points(const ParticleBlocks<D>& blocks, const Partic
                                    Column& fractions, std::span<const double> old_means,
                                    std::span<const double> new_means, CarriedMap map, Threads threads) {
   const auto num_classes = static_cast<std::size_t>(fractions.num_components());
-  SCREE_ASSERT(old_means.size() == static_cast<std::size_t>(lattice_.num_sites()) * num_classes);
-  loss_ratio_.assign(old_means.size(), 0.0);
-  gain_share_.assign(old_means.size(), 0.0);
-  for (std::size_t at = 0; at < old_means.size(); at += num_classes) {
-    if (map == CarriedMap::increments) {
-      for (std::size_t k = 0; k < num_classes; ++k)
-        gain_share_[at + k] = new_means[at + k] - old_means[at + k];
-    } else {
-      exchange_at_site(old_means.subspan(at, num_classes), new_means.subspan(at, num_classes),
-                       std::span{loss_ratio_}.subspan(at, num_classes),
-                       std::span{gain_share_}.subspan(at, num_classes));
+  const auto num_sites = static_cast<std::size_t>(lattice_.num_sites());
+  SCREE_ASSERT(old_means.size() == num_sites * num_classes);
+  SCREE_ASSERT(map == CarriedMap::increments || sum_to_one(fractions));
+  records_.resize(num_sites * 2 * num_classes);
+  for_each_batch(num_sites, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t at = begin * num_classes; at < end * num_classes; at += num_classes) {
+      const std::span<double> record = std::span{records_}.subspan(2 * at, 2 * num_classes);
+      change_of_site(old_means.subspan(at, num_classes), new_means.subspan(at, num_classes), map,
+                     record.first(num_classes), record.last(num_classes));
     }
-  }
-  visit_weights(lattice_.sites, shape_, [&](auto shape) {
-    blocks.for_each(threads, [&](Index b) {
-      const ParticleBlock<D>& block = blocks.blocks[static_cast<std::size_t>(b)];
-      for (Index p = block.begin; p < block.end; ++p) {
-        const Touched<D, decltype(shape)> touched{grid_, lattice_, particles.position, p};
-        exchange_at_point(touched.site, touched.weight, fractions, p, map);
-      }
-    });
   });
-}
-
-template <int D, int V>
-template <std::size_t N>
-void CarriedCells<D, V>::exchange_at_point(const std::array<Index, N>& sites,
-                                           const std::array<double, N>& weights, Column& fractions, Index p,
-                                           CarriedMap map) const noexcept {
-  const auto num_classes = static_cast<std::size_t>(fractions.num_components());
-  const Index size = fractions.size();
-  double* phi = fractions.component(0) + p;  // class k at phi[k * size]
-  const auto fraction = [&](std::size_t k) -> double& { return phi[static_cast<Index>(k) * size]; };
-  std::array<double, N> given;  // what the point gives up round each site
-  for (std::size_t n = 0; n < N; ++n) {
-    const double* ratio = loss_ratio_.data() + static_cast<std::size_t>(sites[n]) * num_classes;
-    given[n] = map == CarriedMap::increments ? 1 : 0;
-    for (std::size_t k = 0; k < num_classes; ++k) given[n] += fraction(k) * ratio[k];
-  }
-  for (std::size_t k = 0; k < num_classes; ++k) {
-    double lost = 0;
-    double taken = 0;
-    for (std::size_t n = 0; n < N; ++n) {
-      const std::size_t at = static_cast<std::size_t>(sites[n]) * num_classes + k;
-      lost += weights[n] * loss_ratio_[at];
-      taken += weights[n] * gain_share_[at] * given[n];
-    }
-    fraction(k) += taken - fraction(k) * lost;
-  }
-  if (map == CarriedMap::exchange) close_sum(fractions, p);
-}
-
-/// What rounding took from the sum of a point's fractions goes to the largest of them, so that the sum does
-/// not wander off over many steps. It is a few round-offs, of either sign: class masses do not drift by it.
-template <int D, int V>
-void CarriedCells<D, V>::close_sum(Column& fractions, Index p) noexcept {
-  int largest = 0;
-  double sum = 0;
-  for (int k = 0; k < fractions.num_components(); ++k) {
-    sum += fractions.component(k)[p];
-    if (fractions.component(k)[p] > fractions.component(largest)[p]) largest = k;
-  }
-  [[maybe_unused]] const double operations = 16.0 * fractions.num_components();  // on each of the fractions
-  SCREE_ASSERT(std::abs(sum - 1) <= operations * round_off);
-  fractions.component(largest)[p] += 1 - sum;
+  const PointChange change{.records = records_.data(),
+                           .fractions = fractions.component(0),
+                           .stride = fractions.size(),
+                           .num_classes = fractions.num_components(),
+                           .is_exchange = map == CarriedMap::exchange};
+  const auto kernels = kernels_for<D>(set_, lattice_.sites, shape_.index());
+  blocks.for_each(threads, [&](Index b) {
+    kernels.to_points(shape_, opened(particles, blocks.blocks[static_cast<std::size_t>(b)]), change);
+  });
 }
 
 #define SCREE_INSTANCE(D, V) template class CarriedCells<D, V>;

@@ -1,11 +1,10 @@
 #include "instances.hpp"
+#include "kernel_choice.hpp"
 #include "kernels/transfer_kernels.hpp"
 
 #include <scree/mpm/transfer.hpp>
 
-#include <algorithm>
 #include <limits>
-#include <string>
 #include <variant>
 
 namespace scree::mpm {
@@ -14,10 +13,7 @@ namespace {
 
 template <int D, int V>
 [[nodiscard]] TransferKernels<D, V> kernels_for(InstructionSet set, std::size_t shape, std::size_t rule) {
-  const auto sets = instruction_sets();
-  require(std::find(sets.begin(), sets.end(), set) != sets.end(), "make_transfer: there are no kernels for " +
-                                                                      std::string{name_of(set)} +
-                                                                      " in this build or on this machine");
+  detail::require_kernels(set, "make_transfer");
 #ifdef SCREE_WIDE_KERNELS
   if (set == InstructionSet::x86_64_v4) return x86_64_v4::transfer_kernels<D, V>(shape, rule);
   if (set == InstructionSet::x86_64_v3) return x86_64_v3::transfer_kernels<D, V>(shape, rule);

@@ -44,10 +44,15 @@ class Pack {
   friend Pack operator-(const Pack& a) noexcept { return Pack{-a.lanes_}; }
 
   friend Mask operator<(const Pack& a, const Pack& b) noexcept { return a.lanes_ < b.lanes_; }
+  friend Mask operator==(const Pack& a, const Pack& b) noexcept { return a.lanes_ == b.lanes_; }
   friend Mask operator<=(const Pack& a, const Pack& b) noexcept { return a.lanes_ <= b.lanes_; }
 
   friend Pack max(const Pack& a, const Pack& b) noexcept {
     return Pack{a.lanes_ < b.lanes_ ? b.lanes_ : a.lanes_};
+  }
+  /// `a` where the mask is set, else `b`.
+  friend Pack select(const Mask& mask, const Pack& a, const Pack& b) noexcept {
+    return Pack{mask ? a.lanes_ : b.lanes_};
   }
   friend Pack abs(const Pack& a) noexcept { return max(a, -a); }
 
@@ -97,10 +102,6 @@ class Four {
   friend Four operator*(double factor, Four a) noexcept {
     for (Part& part : a.parts_) part *= factor;
     return a;
-  }
-
-  [[nodiscard]] const Part& part(int i) const noexcept {
-    return parts_[i];
   }
 
  private:

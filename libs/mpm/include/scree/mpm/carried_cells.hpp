@@ -1,11 +1,11 @@
 #pragma once
 
 #include <scree/grid.hpp>
+#include <scree/instruction_set.hpp>
 #include <scree/mpm/particle_blocks.hpp>
 #include <scree/mpm/particles.hpp>
 #include <scree/mpm/shapes.hpp>
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -16,6 +16,9 @@ enum class CarriedMap {
   exchange,   ///< Eq. (M22): conservative, and every point stays within [0, 1] with sum 1
   increments  ///< Eq. (M23), the source paper's eq. (11): conservative, but points leave [0, 1]
 };
+
+template <int D>
+struct CarriedBlock;
 
 /// A component of a column that is mapped to the control volumes.
 struct CarriedField {
@@ -29,11 +32,15 @@ struct CarriedField {
 template <int D, int V>
 class CarriedCells {
  public:
-  CarriedCells(const CartesianGrid<D>& grid, Sites sites, const AnyShape& shape);
+  /// @param shape of momentum, whose weights nodes have
+  /// @param set what its loops are compiled for: one of instruction_sets()
+  CarriedCells(const CartesianGrid<D>& grid, Sites sites, const AnyShape& shape,
+               InstructionSet set = widest_instruction_set());
 
   [[nodiscard]] const Lattice<D>& lattice() const noexcept { return lattice_; }
 
   /// m_i = sum_p w_ip m_p and the mass-weighted means of `fields`.  Eq. (M21)
+  /// @param blocks of the points, sorted for the shape; no point has left the reach of its block
   /// @param masses num_sites [kg]
   /// @param means num_sites x fields.size(), field fastest; zero where there is no mass
   void to_sites(const Particles<D, V>& particles, const ParticleBlocks<D>& blocks,
@@ -49,16 +56,14 @@ class CarriedCells {
                  Threads threads);
 
  private:
-  template <std::size_t N>
-  void exchange_at_point(const std::array<Index, N>& sites, const std::array<double, N>& weights,
-                         Column& fractions, Index p, CarriedMap map) const noexcept;
-  static void close_sum(Column& fractions, Index p) noexcept;
+  [[nodiscard]] CarriedBlock<D> opened(const Particles<D, V>& particles,
+                                       const ParticleBlock<D>& block) const noexcept;
 
   CartesianGrid<D> grid_;
   Lattice<D> lattice_;
   AnyShape shape_;
-  std::vector<double> loss_ratio_;
-  std::vector<double> gain_share_;
+  InstructionSet set_;
+  std::vector<double> records_;  ///< of each site: loss ratios of all classes, then gain shares
 };
 
 }  // namespace scree::mpm
