@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import scene as scenes
+from flow import draw_flow
 from grain_size import draw_grain_size
 from points import draw_points
 from profiles import draw_profiles
@@ -22,6 +23,8 @@ def draw(run: Run) -> list[Path]:
         paths += draw_grain_size(run)
         if scenes.dimensions(run.scene) > 1:
             paths += draw_points(run)
+    if scenes.dimensions(run.scene) > 1 and run.scene["boundaries"].get("x") != "periodic" and run.has("velocity"):
+        paths += draw_flow(run)
     return sorted(paths)
 
 

@@ -16,8 +16,10 @@ def normal_component(scene: dict[str, Any]) -> int:
 
 
 def depth_range(scene: dict[str, Any]) -> tuple[float, float]:
-    """Lowest and highest height of the material at the start [m]."""
+    """Lowest and highest height of the material at the start [m]; of regions, those of the mesh."""
     normal = normal_component(scene)
+    if "regions" in scene["material"]:
+        return 0.0, scene["mesh"]["size"][normal]
     return scene["material"]["low"][normal], scene["material"]["high"][normal]
 
 

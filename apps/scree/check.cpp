@@ -18,7 +18,7 @@ std::string cost_of(const Scene& scene) {
                                static_cast<double>(state.particles.bytes_per_particle());
     const double steps = scene.end / step.dt;
     const double megabyte = 1e6;
-    return fmt::format(
+    std::string lines = fmt::format(
         "points   {} ({} bytes each)\n"
         "cells    {}\n"
         "dt       {:.3e} s at the start, bound by the {} limit\n"
@@ -27,6 +27,9 @@ std::string cost_of(const Scene& scene) {
         simulation.num_points(), state.particles.bytes_per_particle(), simulation.grid().cells().num_sites(),
         step.dt, mpm::limit_names[static_cast<std::size_t>(step.limit)], steps,
         steps * static_cast<double>(simulation.num_points()), (node_bytes + 2 * point_bytes) / megabyte);
+    const std::string few = simulation.too_few_points();
+    if (!few.empty()) lines += "warning: " + few + "\n";
+    return lines;
   });
   const std::string warning = ill_posedness_warning(scene);
   if (!warning.empty()) text += "warning: " + warning + "\n";

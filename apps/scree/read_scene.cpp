@@ -1,7 +1,10 @@
 #include "scree/axes.hpp"
 #include "scree/chosen.hpp"
+#include "scree/map_files.hpp"
 #include "scree/output_fields.hpp"
 #include "scree/read_grains.hpp"
+#include "scree/read_ground.hpp"
+#include "scree/read_material.hpp"
 #include "scree/read_models.hpp"
 #include "scree/read_walls.hpp"
 #include "scree/scene.hpp"
@@ -46,29 +49,6 @@ using io::TomlTable;
                 fmt::format("each edge must be a whole number of cells, whose edge is {:g} m", edge));
   }
   return mesh;
-}
-
-[[nodiscard]] MaterialScene read_material(const TomlTable& table, const MeshScene& mesh) {
-  MaterialScene material;
-  const auto dimensions = static_cast<std::size_t>(mesh.dimensions);
-  material.low = table.numbers("low", "lowest corner of the material [m]", io::any_value(), dimensions);
-  material.high = table.numbers("high", "highest corner of the material [m]", io::any_value(), dimensions);
-  material.points_per_cell =
-      table.integer_or(3, "points_per_cell", "material points along each axis of a cell", between(1, 16));
-  material.surface_pressure = table.number_or(
-      0, "surface_pressure", "pressure on the top of the material at the start [Pa]", at_least(0));
-  if (!table.is_sound("low") || !table.is_sound("high")) return material;
-  for (std::size_t d = 0; d < dimensions; ++d) {
-    const std::string_view axis = axis_names(mesh.dimensions)[d];
-    const double slack = 1e-9 * mesh.size[d];
-    table.check(material.low[d] < material.high[d], {"high", "low"},
-                fmt::format("must exceed low, which is {:g} m along {}", material.low[d], axis));
-    table.check(material.low[d] >= -slack, {"low"},
-                fmt::format("reaches out of the mesh, which begins at 0 m along {}", axis));
-    table.check(material.high[d] <= mesh.size[d] + slack, {"high"},
-                fmt::format("reaches out of the mesh, which ends at {:g} m along {}", mesh.size[d], axis));
-  }
-  return material;
 }
 
 [[nodiscard]] GravityScene read_gravity(const TomlTable& table) {
@@ -125,8 +105,10 @@ void read_numerics(const TomlTable& table, Scene& scene) {
   if (viscosity == "auto") scene.viscosity = ViscosityScheme::automatic;
   table.check(viscosity == "explicit" || std::holds_alternative<mpm::Linear>(scene.shape),
               {"viscosity", "shape"}, "viscosity is implicit for shape = \"linear\" only");
-  table.check(viscosity == "explicit" || !has_friction(scene.axes), {"viscosity"},
+  table.check(viscosity == "explicit" || has_plain_walls(scene.axes), {"viscosity"},
               "viscosity is implicit for walls without friction only");
+  table.check(viscosity == "explicit" || (!scene.terrain && scene.bodies.empty()), {"viscosity"},
+              "viscosity is implicit without terrain and bodies only");
   const io::Bounds share{0, 1, true, false};
   mpm::TimeStepOptions& options = scene.time_step;
   options.acoustic =
@@ -157,13 +139,41 @@ void read_numerics(const TomlTable& table, Scene& scene) {
   return output;
 }
 
-[[nodiscard]] ReadScene read(io::TomlFile file, const std::vector<std::string>& overrides) {
+/// What becomes of points that leave the mesh.
+[[nodiscard]] mpm::Leaving read_leaving(const TomlTable& boundaries) {
+  constexpr std::array<std::string_view, 3> names{"stop", "absorb", "reflect"};
+  const std::string name =
+      boundaries.choice_or("stop", "leaving", "what becomes of a point that leaves the mesh", names);
+  if (name == "absorb") return mpm::Leaving::absorb;
+  return name == "reflect" ? mpm::Leaving::reflect : mpm::Leaving::stop;
+}
+
+/// Where the map of the ground lies, for maps of what lies on it.
+[[nodiscard]] MapPlace map_place_of(const Scene& scene) {
+  if (!scene.terrain) return {};
+  const auto* map = std::get_if<RasterScene>(&scene.terrain->surface);
+  const auto* triangles = std::get_if<TrianglesScene>(&scene.terrain->surface);
+  return map != nullptr ? map->place : triangles != nullptr ? triangles->place : MapPlace{};
+}
+
+/// The ground, the material on it, and all else that touches material: by what each needs of the others.
+void read_surroundings(const TomlTable& root, Scene& scene, SceneFiles& files) {
+  if (root.has("terrain")) scene.terrain = read_terrain(root.table("terrain"), scene, files);
+  scene.material = read_material(root.table("material"), scene, map_place_of(scene), files);
+  scene.bodies = read_bodies(root.tables("bodies"), scene, files);
+  const TomlTable boundaries = root.table("boundaries");
+  scene.axes = read_axes(boundaries, scene);
+  scene.leaving = read_leaving(boundaries);
+}
+
+[[nodiscard]] ReadScene read(io::TomlFile file, const std::vector<std::string>& overrides,
+                             const std::filesystem::path& folder) {
   for (const std::string& assignment : overrides) file.set(assignment);
   const TomlTable root = file.root();
   Scene scene;
+  SceneFiles files{folder};
   scene.title = root.string_or("", "title", "what the scene is");
   scene.mesh = read_mesh(root.table("mesh"));
-  scene.material = read_material(root.table("material"), scene.mesh);
   scene.gravity = read_gravity(root.table_or_empty("gravity"));
   const TomlTable rheology = root.table("rheology");
   read_chosen(rheology, "law", "constitutive law", scene.law);
@@ -172,7 +182,7 @@ void read_numerics(const TomlTable& table, Scene& scene) {
     scene.grains = read_grains(root.table("grains"));
     scene.mixture = read_mixture(root.table("grains"), scene);
   }
-  scene.axes = read_axes(root.table("boundaries"), scene);
+  read_surroundings(root, scene, files);
   read_numerics(root.table_or_empty("numerics"), scene);
   const TomlTable time = root.table("time");
   scene.end = time.number("end", "simulated time at which the run ends [s]", above(0));
@@ -182,18 +192,18 @@ void read_numerics(const TomlTable& table, Scene& scene) {
   }
   scene.output = read_output(root.table_or_empty("output"), scene.end, root.has("grains"), scene.law);
   file.finish();
-  return {std::move(scene), file.to_text()};
+  return {std::move(scene), file.to_text(), files.files()};
 }
 
 }  // namespace
 
 ReadScene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  return read(io::TomlFile::read(path), overrides);
+  return read(io::TomlFile::read(path), overrides, path.parent_path());
 }
 
 ReadScene parse_scene(const std::string& text, const std::string& name,
                       const std::vector<std::string>& overrides) {
-  return read(io::TomlFile::parse(text, name), overrides);
+  return read(io::TomlFile::parse(text, name), overrides, std::filesystem::path{name}.parent_path());
 }
 
 }  // namespace scree::app

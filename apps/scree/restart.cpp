@@ -3,7 +3,6 @@
 #include "scree/dimensions.hpp"
 
 #include <scree/io/checkpoint.hpp>
-#include <scree/mpm/cell_sort.hpp>
 
 #include <algorithm>
 
@@ -11,7 +10,7 @@ namespace scree::app {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 1;
+constexpr std::int64_t checkpoint_version = 2;
 
 [[nodiscard]] std::string entry_of(const mpm::Column& column) {
   return "column_" + column.quantity().name;
@@ -47,6 +46,7 @@ template <int D>
 template <class SimulationType, class Visit>
 void for_each_number(SimulationType& simulation, Visit&& visit) {
   visit("time", simulation.clock.time);
+  visit("moved_time", simulation.clock.moved);
   visit("step", simulation.clock.step);
   visit("frame", simulation.clock.frame);
   visit("unsegregated_time", simulation.clock.unsegregated_time);
@@ -56,6 +56,12 @@ void for_each_number(SimulationType& simulation, Visit&& visit) {
   visit("advection_rate", simulation.state.rates.advection_rate);
   visit("relaxation_rate", simulation.state.rates.relaxation_rate);
   visit("mass_floor", simulation.state.mass_floor);
+  auto& absorbed = simulation.state.absorbed;
+  visit("absorbed_points", absorbed.count);
+  visit("absorbed_mass", absorbed.mass);
+  for (std::size_t i = 0; i < absorbed.momentum.size(); ++i) {
+    visit("absorbed_momentum_" + std::to_string(i + 1), absorbed.momentum[i]);
+  }
   visit("segregation_steps", simulation.tally.segregation_steps);
   visit("segregation_substeps", simulation.tally.segregation_substeps);
   visit("lowest_fraction", simulation.tally.fractions.lowest);
@@ -114,15 +120,13 @@ void read_checkpoint_into(Simulation<D, V>& simulation, const std::filesystem::p
       checkpoint.doubles("first_class_masses", static_cast<Index>(tally.first_class_masses.size()));
   auto& state = simulation.state;
   state.blocks = unflattened<D>(checkpoint.integers("blocks", checkpoint.length("blocks")));
-  state.block_results.assign(state.blocks.blocks.size(), {});
-  mpm::colour_blocks(state.blocks, simulation.grid());
-  state.needs_sort = false;
   const Index size = checkpoint.length(entry_of(state.particles.mass));
   state.particles.resize(size);
   state.particles.for_each_column([&](mpm::Column& column) {
     const auto values = checkpoint.doubles(entry_of(column), size * column.num_components());
     std::copy(values.begin(), values.end(), column.values().begin());
   });
+  simulation.resume();
 }
 
 #define SCREE_INSTANCE(D, V)                                                                                 \

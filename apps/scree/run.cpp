@@ -18,6 +18,21 @@ namespace scree::app {
 
 namespace {
 
+/// Copies what lies beside a scene to the same place beside its results, so that these stand on their own.
+void keep_files(const std::vector<FileOfScene>& files, const std::filesystem::path& directory) {
+  for (const FileOfScene& file : files) {
+    const std::filesystem::path copy = directory / file.name;
+    std::error_code error;
+    if (file.name.is_absolute() || std::filesystem::equivalent(file.path, copy, error)) continue;
+    error.clear();
+    std::filesystem::create_directories(copy.parent_path(), error);
+    if (!error) {
+      std::filesystem::copy_file(file.path, copy, std::filesystem::copy_options::overwrite_existing, error);
+    }
+    if (error) throw RunError{copy.string() + ": cannot be written: " + error.message()};
+  }
+}
+
 /// One run and what it leaves in its directory.
 template <int D, int V>
 class RunOnDisk {
@@ -31,11 +46,15 @@ class RunOnDisk {
         first_step_{simulation_.clock.step},
         progress_{options.is_quiet, simulation_.clock.time} {
     io::replace_file(options.directory / "scene.toml", scene.text);
+    keep_files(scene.files, options.directory);
   }
 
   Outcome run() {
     if (const auto& note = simulation_.viscosity_note(); !note.empty() && !options_.is_quiet) {
       fmt::print("{}\n", note);
+    }
+    if (const std::string few = simulation_.too_few_points(); !few.empty()) {
+      fmt::print(stderr, "scree: warning: {}\n", few);
     }
     const InterruptGuard guard;
     Outcome outcome = Outcome::finished;

@@ -3,16 +3,20 @@
 #include <scree/grainsize/closures.hpp>
 #include <scree/grainsize/distribution.hpp>
 #include <scree/mpm/boundaries.hpp>
-#include <scree/mpm/boundaries/frictional.hpp>
+#include <scree/mpm/boundaries/contact.hpp>
 #include <scree/mpm/carried_cells.hpp>
+#include <scree/mpm/leaving.hpp>
 #include <scree/mpm/shapes.hpp>
 #include <scree/mpm/time_step.hpp>
 #include <scree/mpm/transfers.hpp>
+#include <scree/raster.hpp>
 #include <scree/rheology/laws.hpp>
 #include <scree/rheology/walls.hpp>
 #include <scree/transport/integrators.hpp>
 #include <scree/transport/limiters.hpp>
+#include <scree/triangle_mesh.hpp>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -38,8 +42,13 @@ struct FrictionScene {
   mpm::Hold hold = mpm::Hold::pushes;
 };
 
-/// One that holds whole components of velocity, or one with friction.
-using WallScene = std::variant<mpm::AnyWall, FrictionScene>;
+/// An end of an axis without a wall: material flows out.
+struct OpenEnd {
+  static constexpr std::string_view name = "open";
+};
+
+/// One that holds whole components of velocity, one with friction, or none.
+using WallScene = std::variant<mpm::AnyWall, FrictionScene, OpenEnd>;
 
 /// The two walls of an axis, or none if it is periodic.
 struct AxisScene {
@@ -48,12 +57,96 @@ struct AxisScene {
   WallScene high;
 };
 
-/// A box of material at rest.
+/// How ground and bodies hold material that touches them.
+struct ContactScene {
+  std::variant<mpm::Sticks, mpm::Slides, rheology::AnyWallLaw> law;
+  std::vector<double> inputs;  ///< a number per column that the law reads, in its unit
+  mpm::Hold hold = mpm::Hold::pushes;
+};
+
+/// Where a map lies: maps have x to the east, y to the north, and their heights count from a datum. East is x
+/// of the mesh, north z, and up y.
+struct MapPlace {
+  std::array<double, 2> origin{};  ///< place on the map of the mesh's own origin [m]
+  double datum = 0;                ///< height on the map of y = 0 [m]
+};
+
+/// A plane through a point.
+struct PlaneScene {
+  std::vector<double> point;   ///< [m]
+  std::vector<double> normal;  ///< into the material, of any length
+};
+/// Heights over x at equal distances, the first and the last at the ends of the mesh [m].
+struct ProfileScene {
+  std::vector<double> heights;
+};
+/// A map of heights.
+struct RasterScene {
+  Raster heights;  ///< [m]
+  MapPlace place;
+};
+/// Triangles, in coordinates of a map.
+struct TrianglesScene {
+  TriangleMesh triangles;
+  MapPlace place;
+};
+
+/// The ground inside the mesh.
+struct TerrainScene {
+  std::variant<PlaneScene, ProfileScene, RasterScene, TrianglesScene> surface;
+  ContactScene contact;
+};
+
+struct BallScene {
+  std::vector<double> centre;  ///< [m]
+  double radius = 0;           ///< [m]
+  bool is_hollow = false;      ///< with material inside
+};
+
+/// A rigid body, at the start where its surface says. From `start` to `stop` it turns about its pivot, and
+/// the pivot moves.
+struct BodyScene {
+  std::variant<BallScene, PlaneScene, TriangleMesh> surface;
+  ContactScene contact;
+  std::vector<double> velocity;  ///< of the pivot [m/s]
+  double angular_velocity = 0;   ///< [rad/s]
+  std::vector<double> pivot;     ///< at the start [m]
+  std::array<double, 3> axis{};  ///< of the turn, of unit length
+  double start = 0;              ///< [s]
+  double stop = 0;               ///< [s]
+};
+
+/// Material between two corners.
+struct BoxRegion {
+  std::vector<double> low;   ///< [m]
+  std::vector<double> high;  ///< [m]
+};
+/// Material inside a polygon of x and y; in three dimensions a prism along z.
+struct PolygonRegion {
+  std::vector<double> x;           ///< of its corners [m]
+  std::vector<double> y;           ///< [m]
+  std::array<double, 2> across{};  ///< from one z to another [m]
+};
+/// Material between two heights, above the ground.
+struct LayerRegion {
+  double bottom = 0;  ///< [m]
+  double top = 0;     ///< [m]
+};
+/// Material on the ground, as deep as a map says.
+struct ReleaseRegion {
+  Raster depths;  ///< [m], measured straight up; none where it is not positive or not known
+  MapPlace place;
+};
+using RegionScene = std::variant<BoxRegion, PolygonRegion, LayerRegion, ReleaseRegion>;
+
+/// Material at rest: a box, or whatever lies in one region or more.
 struct MaterialScene {
-  std::vector<double> low;      ///< [m]
-  std::vector<double> high;     ///< [m]
-  Index points_per_cell = 3;    ///< along each axis
-  double surface_pressure = 0;  ///< on the top of it [Pa]
+  std::vector<double> low;                   ///< corners of the box, or of one round all regions [m]
+  std::vector<double> high;                  ///< [m]
+  std::vector<RegionScene> regions;          ///< none: the box itself
+  Index points_per_cell = 3;                 ///< along each axis
+  std::optional<std::uint64_t> random_seed;  ///< points lie anywhere in their shares of a cell
+  double surface_pressure = 0;               ///< on the top of it [Pa]
 };
 
 struct GravityScene {
@@ -110,6 +203,9 @@ struct Scene {
   std::string title;
   MeshScene mesh;
   std::vector<AxisScene> axes;
+  mpm::Leaving leaving = mpm::Leaving::stop;
+  std::optional<TerrainScene> terrain;
+  std::vector<BodyScene> bodies;
   MaterialScene material;
   GravityScene gravity;
   rheology::AnyLaw law;
@@ -125,10 +221,17 @@ struct Scene {
   OutputScene output;
 };
 
+/// A file that a scene names.
+struct FileOfScene {
+  std::filesystem::path name;  ///< as the scene has it
+  std::filesystem::path path;  ///< where it was found
+};
+
 /// A scene as it was read, with the text that reads as the same one again.
 struct ReadScene {
   Scene scene;
   std::string text;
+  std::vector<FileOfScene> files;  ///< that the text names
 };
 
 /// Reads a scene file.
@@ -137,7 +240,7 @@ struct ReadScene {
 [[nodiscard]] ReadScene read_scene(const std::filesystem::path& path,
                                    const std::vector<std::string>& overrides);
 
-/// The same of a text; `name` stands for the file in messages.
+/// The same of a text; `name` stands for the file in messages, and files are looked for beside it.
 [[nodiscard]] ReadScene parse_scene(const std::string& text, const std::string& name,
                                     const std::vector<std::string>& overrides = {});
 

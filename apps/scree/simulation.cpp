@@ -2,12 +2,16 @@
 
 #include "scree/axes.hpp"
 #include "scree/dimensions.hpp"
+#include "scree/filling.hpp"
+#include "scree/ground.hpp"
+#include "scree/leaving_text.hpp"
 #include "scree/node_viscosity.hpp"
 #include "scree/walls.hpp"
 
 #include <scree/io/bounds.hpp>
 #include <scree/mpm/geostatic.hpp>
-#include <scree/mpm/seed.hpp>
+#include <scree/mpm/seed_region.hpp>
+#include <scree/mpm/terrain/above_bed.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -45,14 +49,52 @@ template <int V>
   return result;
 }
 
+/// The ground of a scene; none if it has none.
+template <int D>
+[[nodiscard]] mpm::AnySurface<D> ground_of(const Scene& scene) {
+  if constexpr (D > 1) {
+    if (scene.terrain) return surface_of<D>(*scene.terrain, scene.mesh);
+  }
+  return {};
+}
+
+/// What holds material: ground and bodies first, so that the walls of the mesh have the last word.
+template <int D>
+[[nodiscard]] std::vector<std::unique_ptr<mpm::Boundary<D>>> make_boundaries(
+    const Scene& scene, const CartesianGrid<D>& grid, const mpm::AnySurface<D>& ground) {
+  std::vector<std::unique_ptr<mpm::Boundary<D>>> boundaries;
+  if constexpr (D > 1) {
+    if (ground) boundaries.push_back(make_terrain<D>(*scene.terrain, ground, grid));
+    for (const BodyScene& body : scene.bodies) boundaries.push_back(make_body<D>(body));
+  }
+  for (int axis = 0; axis < D; ++axis) {
+    const AxisScene& ends = scene.axes[static_cast<std::size_t>(axis)];
+    if (ends.is_periodic) continue;
+    boundaries.push_back(make_boundary<D>(ends.low, axis, mpm::Side::low));
+    boundaries.push_back(make_boundary<D>(ends.high, axis, mpm::Side::high));
+  }
+  std::erase(boundaries, nullptr);
+  return boundaries;
+}
+
+/// @throws InputError if a body begins inside the material.
 template <int D, int V>
-[[nodiscard]] mpm::Particles<D, V> make_particles(const Scene& scene, const CartesianGrid<D>& grid) {
-  const Vector<D> low = Eigen::Map<const Vector<D>>{scene.material.low.data()};
-  const Vector<D> high = Eigen::Map<const Vector<D>>{scene.material.high.data()};
-  Indices<D> per_cell{};
-  per_cell.fill(scene.material.points_per_cell);
-  const double density = std::visit([](const auto& law) { return law.density; }, scene.law);
-  auto particles = mpm::seed_box<D, V>(grid, low, high, per_cell, density);
+void require_clear_of_bodies(const Scene& scene, const mpm::Particles<D, V>& particles) {
+  if constexpr (D > 1) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      try {
+        mpm::require_above(particles, surface_of<D>(scene.bodies[i]));
+      } catch (const InputError& error) {
+        throw InputError{"[[bodies]] " + std::to_string(i + 1) + ": as " + error.what()};
+      }
+    }
+  }
+}
+
+template <int D, int V>
+[[nodiscard]] mpm::Particles<D, V> make_particles(const Scene& scene, const Filling<D>& filling) {
+  auto particles = filling.template points<V>();
+  require_clear_of_bodies(scene, particles);
   if (scene.grains) Mixture{scene}.add_to(particles);
   return particles;
 }
@@ -70,12 +112,7 @@ template <int D, int V>
     std::ranges::fill(particles.column(column).values(), initial.value);
   }
   stages.transfer = mpm::make_transfer<D, V>(scene.shape, scene.transfer);
-  for (int axis = 0; axis < D; ++axis) {
-    const AxisScene& ends = scene.axes[static_cast<std::size_t>(axis)];
-    if (ends.is_periodic) continue;
-    stages.boundaries.push_back(make_boundary<D>(ends.low, axis, mpm::Side::low));
-    stages.boundaries.push_back(make_boundary<D>(ends.high, axis, mpm::Side::high));
-  }
+  stages.leaving = scene.leaving;
   stages.gravity = gravity_of<V>(scene.gravity, D);
   return stages;
 }
@@ -95,7 +132,8 @@ template <int D, int V>
 /// Puts points at rest under their own weight. Where nothing presses they keep their law's density.
 /// @throws InputError if the law does not bear the pressure on the surface.
 template <int D, int V>
-void settle(const Scene& scene, const mpm::Stages<D, V>& stages, mpm::Particles<D, V>& particles) {
+void settle(const Scene& scene, const Filling<D>& filling, const mpm::Stages<D, V>& stages,
+            mpm::Particles<D, V>& particles) {
   const int normal = normal_component(D);
   const double gravity = -stages.gravity[static_cast<std::size_t>(normal)];
   const double pressure = scene.material.surface_pressure;
@@ -105,8 +143,10 @@ void settle(const Scene& scene, const mpm::Stages<D, V>& stages, mpm::Particles<
               std::string{stages.stress->law()} +
               "' has no density at which it bears this pressure [Pa], as the top of the material does at the "
               "start; give another");
-  mpm::set_geostatic(particles, *stages.stress, normal, scene.material.high[static_cast<std::size_t>(normal)],
-                     gravity, pressure);
+  const std::function<double(const Vector<D>&)> top = [&](const Vector<D>& x) {
+    return filling.top_above(x);
+  };
+  mpm::set_geostatic(particles, *stages.stress, normal, top, gravity, pressure);
 }
 
 /// Points, at rest under their own weight, and the parts of the step that reads their columns.
@@ -114,9 +154,12 @@ template <int D, int V>
 [[nodiscard]] mpm::State<D, V> make_state(const Scene& scene, mpm::Stages<D, V>& stages, std::string& note,
                                           Threads threads) {
   const CartesianGrid<D> grid = make_grid<D>(scene);
-  auto particles = make_particles<D, V>(scene, grid);
+  const mpm::AnySurface<D> ground = ground_of<D>(scene);
+  const Filling<D> filling{scene, grid, ground};
+  auto particles = make_particles<D, V>(scene, filling);
   stages = make_stages(scene, particles);
-  settle(scene, stages, particles);
+  stages.boundaries = make_boundaries(scene, grid, ground);
+  settle(scene, filling, stages, particles);
   note = choose_viscosity(scene, grid, particles, stages, threads);
   return mpm::start(std::move(particles), grid, stages, threads);
 }
@@ -167,6 +210,16 @@ std::optional<double> Simulation<D, V>::ill_posed_share() const {
 }
 
 template <int D, int V>
+std::string Simulation<D, V>::too_few_points() const {
+  constexpr Index wanted = Index{1} << D;  // two along each axis
+  const mpm::CellFilling filling = mpm::cell_filling(state.particles, grid(), wanted);
+  if (2 * filling.num_too_few <= filling.num_filled) return {};
+  return std::to_string(filling.num_too_few) + " of " + std::to_string(filling.num_filled) +
+         " cells with material hold fewer than " + std::to_string(wanted) +
+         " points, which carry stress badly: give more [material] points_per_cell, or material more cells";
+}
+
+template <int D, int V>
 Index Simulation<D, V>::num_points() const noexcept {
   const auto masses = state.particles.mass.values();
   return static_cast<Index>(std::count_if(masses.begin(), masses.end(), [](double m) { return m > 0; }));
@@ -199,13 +252,29 @@ void Simulation<D, V>::require_progress(const mpm::TimeStep& next) {
 }
 
 template <int D, int V>
+void Simulation<D, V>::advance(double dt) {
+  try {
+    mpm::step(state, stages_, dt, threads_);
+  } catch (const RunError& error) {
+    throw RunError{error.what() + leaving_text(state.particles, grid(), clock.time + dt)};
+  }
+}
+
+template <int D, int V>
+void Simulation<D, V>::resume() {
+  for (const auto& boundary : stages_.boundaries) boundary->advance(clock.moved);
+  mpm::resume(state, stages_);
+}
+
+template <int D, int V>
 bool Simulation<D, V>::step() {
   mpm::TimeStep next = next_step();
   require_progress(next);
   const double left = next_frame_time() - clock.time;
   const bool reaches_frame = left <= next.dt;
   if (reaches_frame) next = {left, mpm::Limit::output};
-  mpm::step(state, stages_, next.dt, threads_);
+  advance(next.dt);
+  clock.moved += next.dt;
   if (crushing_ && crushing_->advance(state.particles)) follow_grains();
   clock.time = reaches_frame ? next_frame_time() : clock.time + next.dt;
   ++clock.step;

@@ -17,7 +17,8 @@ namespace scree::app {
 
 /// Where a run stands in time.
 struct Clock {
-  double time = 0;  ///< [s]
+  double time = 0;   ///< [s]
+  double moved = 0;  ///< sum of all steps, which is what bodies count; the time but for round-off [s]
   std::int64_t step = 0;
   std::int64_t frame = 1;        ///< the next one that is due, at frame * output.every; number 0 is the start
   double unsegregated_time = 0;  ///< since the last segregation step [s]
@@ -46,6 +47,8 @@ class Simulation {
   /// @returns whether a frame is due now.
   /// @throws RunError naming a material point gone wrong, or if the stable step collapses.
   bool step();
+  /// Readies all that follows from points, blocks and clock, after these were read from a checkpoint.
+  void resume();
 
   [[nodiscard]] bool is_finished() const noexcept;
   /// When the next frame is due [s].
@@ -62,6 +65,8 @@ class Simulation {
   [[nodiscard]] const std::string& viscosity_note() const noexcept { return viscosity_note_; }
   /// Material points that weigh something.
   [[nodiscard]] Index num_points() const noexcept;
+  /// What to say if most cells with material hold too few points to carry a stress; else nothing.
+  [[nodiscard]] std::string too_few_points() const;
   /// C of every point [-]: the law is ill-posed there if it is positive.
   [[nodiscard]] std::vector<double> stability_numbers() const;
   /// Share of the material points at which the law is ill-posed [-]; nothing if the law cannot tell.
@@ -80,6 +85,7 @@ class Simulation {
 
   void segregate();
   void follow_grains();
+  void advance(double dt);
   void require_progress(const mpm::TimeStep& next);
 
  public:

@@ -49,9 +49,13 @@ std::string summary_json(const Simulation<D, V>& simulation, double wall_seconds
   for (std::size_t i = 0; i < mpm::limit_names.size(); ++i) {
     json["steps_by_limit"][std::string{mpm::limit_names[i]}] = tally.steps_by_limit[i];
   }
+  if (simulation.scene().leaving == mpm::Leaving::absorb) {
+    const mpm::Left<V>& absorbed = simulation.state.absorbed;
+    json["absorbed"] = {{"points", absorbed.count}, {"mass", absorbed.mass}, {"momentum", absorbed.momentum}};
+  }
   if (const auto share = simulation.ill_posed_share()) json["ill_posed_share"] = *share;
   if (simulation.scene().grains) {
-    json["class_mass_drift"] = class_mass_drift(simulation);
+    if (simulation.state.absorbed.count == 0) json["class_mass_drift"] = class_mass_drift(simulation);
     json["fraction_min"] = tally.fractions.lowest;
     json["fraction_max"] = tally.fractions.highest;
     json["fraction_sum_error"] = tally.fractions.sum_error;

@@ -1,5 +1,6 @@
 #include "scree/walls.hpp"
 
+#include <scree/mpm/boundaries/frictional.hpp>
 #include <scree/rheology/columns.hpp>
 
 #include <variant>
@@ -24,6 +25,12 @@ template <int D>
         return mpm::make_frictional_wall<D>(law, input, wall.hold, axis, side);
       },
       wall.law);
+}
+
+template <int D>
+[[nodiscard]] std::unique_ptr<mpm::Boundary<D>> make(const OpenEnd& /*end*/, int /*axis*/,
+                                                     mpm::Side /*side*/) {
+  return nullptr;
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace scree::app {
 
-/// The wall of a scene at an end of an axis.
+/// The wall of a scene at an end of an axis; none if that is open.
 template <int D>
 [[nodiscard]] std::unique_ptr<mpm::Boundary<D>> make_boundary(const WallScene& wall, int axis,
                                                               mpm::Side side);

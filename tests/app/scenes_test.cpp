@@ -16,6 +16,7 @@ namespace {
 TEST(Scenes, EachReadsAndTakesTenSteps) {
   int num_scenes = 0;
   for (const auto& file : std::filesystem::directory_iterator{SCREE_TEST_SCENES}) {
+    if (file.path().extension() != ".toml") continue;
     const Scene scene = scene_of(file.path().stem());
     with_dimensions(scene, [&](auto dimensions, auto components) {
       Simulation<dimensions(), components()> simulation{scene, {2}};

@@ -207,7 +207,7 @@ TEST(WallScene, PullsIfTold) {
 TEST(BadWall, UnknownNameIsAnsweredWithTheKnownOnes) {
   EXPECT_EQ(message_of(with_base("\"rough\"")),
             "scene.toml:7: [boundaries] y_low = \"rough\": expected one of no_slip, slip, coulomb, "
-            "material_friction, pouliquen_forterre, voellmy (wall at the low end)");
+            "material_friction, pouliquen_forterre, voellmy, open (wall at the low end)");
   EXPECT_EQ(message_of(with_base("{law = \"no_slip\"}")),
             "scene.toml:7: [boundaries.y_low] law = \"no_slip\": expected one of coulomb, material_friction, "
             "pouliquen_forterre, voellmy (friction of the wall)");

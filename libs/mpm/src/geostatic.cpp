@@ -29,8 +29,18 @@ template <int D, int V>
 template <int D, int V>
 void set_geostatic(Particles<D, V>& particles, const StressUpdate<D, V>& stress, int axis, double surface,
                    double gravity, double surface_pressure) {
+  const std::function<double(const Vector<D>&)> level = [=](const Vector<D>&) { return surface; };
+  set_geostatic(particles, stress, axis, level, gravity, surface_pressure);
+}
+
+template <int D, int V>
+void set_geostatic(Particles<D, V>& particles, const StressUpdate<D, V>& stress, int axis,
+                   const std::function<double(const Vector<D>&)>& surface_above, double gravity,
+                   double surface_pressure) {
   for (Index p = 0; p < particles.size(); ++p) {
-    const double depth = surface - particles.position.component(axis)[p];
+    Vector<D> x;
+    for (int d = 0; d < D; ++d) x[d] = particles.position.component(d)[p];
+    const double depth = surface_above(x) - x[axis];
     if (!(depth > 0)) continue;
     double& density = particles.density.component(0)[p];
     double& mass = particles.mass.component(0)[p];
@@ -41,8 +51,10 @@ void set_geostatic(Particles<D, V>& particles, const StressUpdate<D, V>& stress,
   }
 }
 
-#define SCREE_INSTANCE(D, V) \
-  template void set_geostatic(Particles<D, V>&, const StressUpdate<D, V>&, int, double, double, double);
+#define SCREE_INSTANCE(D, V)                                                                             \
+  template void set_geostatic(Particles<D, V>&, const StressUpdate<D, V>&, int, double, double, double); \
+  template void set_geostatic(Particles<D, V>&, const StressUpdate<D, V>&, int,                          \
+                              const std::function<double(const Vector<D>&)>&, double, double);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
 

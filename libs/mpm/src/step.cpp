@@ -25,10 +25,9 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// Readies all that depends on where the blocks are.
 template <int D, int V>
-void sort(State<D, V>& state, const Stages<D, V>& stages, Threads threads) {
-  const Stopwatch watch{state.seconds.sort};
-  state.blocks = cell_sort(state.particles, state.nodes.grid(), stages.transfer->stencil_shift(), threads);
+void use_blocks(State<D, V>& state, const Stages<D, V>& stages) {
   state.block_results.resize(state.blocks.blocks.size());
   state.needs_sort = false;
   if (stages.node_solve) return;  // which may move any node
@@ -39,6 +38,13 @@ void sort(State<D, V>& state, const Stages<D, V>& stages, Threads threads) {
     for (Index& node : corners.back()) --node;
   }
   state.nodes.use(corners, stages.transfer->tile_edge());
+}
+
+template <int D, int V>
+void sort(State<D, V>& state, const Stages<D, V>& stages, Threads threads) {
+  const Stopwatch watch{state.seconds.sort};
+  state.blocks = cell_sort(state.particles, state.nodes.grid(), stages.transfer->stencil_shift(), threads);
+  use_blocks(state, stages);
 }
 
 template <int D, int V>
@@ -138,6 +144,12 @@ State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const
 }
 
 template <int D, int V>
+void resume(State<D, V>& state, const Stages<D, V>& stages) {
+  colour_blocks(state.blocks, state.nodes.grid());
+  use_blocks(state, stages);
+}
+
+template <int D, int V>
 void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
   scatter(state, stages, dt, threads);
   require_solved(state, stages);
@@ -200,6 +212,7 @@ void advance_momentum(Nodes<D>& nodes, const double* gravity, double dt, double 
 
 #define SCREE_INSTANCE(D, V)                                                                          \
   template State<D, V> start(Particles<D, V>, const CartesianGrid<D>&, const Stages<D, V>&, Threads); \
+  template void resume(State<D, V>&, const Stages<D, V>&);                                            \
   template void step(State<D, V>&, const Stages<D, V>&, double, Threads);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE

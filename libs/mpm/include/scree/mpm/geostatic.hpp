@@ -2,6 +2,8 @@
 
 #include <scree/mpm/stress_update.hpp>
 
+#include <functional>
+
 namespace scree::mpm {
 
 /// Sets density and mass of all points so that pressure balances gravity under a free surface:
@@ -14,5 +16,12 @@ namespace scree::mpm {
 template <int D, int V>
 void set_geostatic(Particles<D, V>& particles, const StressUpdate<D, V>& stress, int axis, double surface,
                    double gravity, double surface_pressure = 0);
+
+/// The same under a surface that is not level.
+/// @param surface_above its height straight above a point [m]
+template <int D, int V>
+void set_geostatic(Particles<D, V>& particles, const StressUpdate<D, V>& stress, int axis,
+                   const std::function<double(const Vector<D>&)>& surface_above, double gravity,
+                   double surface_pressure = 0);
 
 }  // namespace scree::mpm

@@ -65,6 +65,11 @@ template <int D, int V>
 [[nodiscard]] State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid,
                                 const Stages<D, V>& stages, Threads threads);
 
+/// Goes on with points and blocks that were sorted before, for instance read from a checkpoint: colours the
+/// blocks, and puts the nodes around them to use.
+template <int D, int V>
+void resume(State<D, V>& state, const Stages<D, V>& stages);
+
 /// Advances all points by dt: stress first, with the velocity gradient of the last step, then momentum, then
 /// positions.  @see Eqs. (M1)-(M13), the algorithm of docs/equations/mpm.md
 /// @throws RunError naming a point that has left the mesh (if that is to stop the run), has no finite

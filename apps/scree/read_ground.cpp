@@ -1,0 +1,163 @@
+#include "scree/read_ground.hpp"
+
+#include "scree/read_walls.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace scree::app {
+
+namespace {
+
+using io::above;
+using io::at_least;
+using io::TomlTable;
+
+[[nodiscard]] std::size_t dimensions_of(const Scene& scene) {
+  return static_cast<std::size_t>(scene.mesh.dimensions);
+}
+
+/// Numbers along each axis that may be left out.
+[[nodiscard]] std::vector<double> numbers_or(std::vector<double> fallback, const TomlTable& table,
+                                             std::string_view key, std::string_view meaning) {
+  if (!table.has(key)) return fallback;
+  auto values = table.numbers(key, meaning, io::any_value(), fallback.size());
+  return table.is_sound(key) ? values : fallback;
+}
+
+[[nodiscard]] bool has_direction(const std::vector<double>& vector) {
+  return std::ranges::any_of(vector, [](double component) { return component != 0; });
+}
+
+[[nodiscard]] PlaneScene read_plane(const TomlTable& table, std::size_t dimensions) {
+  PlaneScene plane;
+  plane.point = table.numbers("point", "a point of the plane [m]", io::any_value(), dimensions);
+  plane.normal =
+      table.numbers("normal", "normal of the plane, into the material [-]", io::any_value(), dimensions);
+  table.check(has_direction(plane.normal), {"normal"}, "must have a direction");
+  return plane;
+}
+
+void check_dimensions(const TomlTable& table, const Scene& scene, int needed) {
+  table.check(scene.mesh.dimensions == needed, {"surface"},
+              fmt::format("is for meshes of {} dimensions", needed));
+}
+
+[[nodiscard]] RasterScene read_raster(const TomlTable& table, const Scene& scene, SceneFiles& files) {
+  RasterScene map;
+  auto raster = files.read_raster(table, "map of heights in the ESRI ASCII format [m]");
+  map.place = read_map_place(table);
+  if (!raster || scene.mesh.dimensions != 3) return map;
+  map.heights = *std::move(raster);
+  const std::string gap = gap_in_map(map, scene.mesh, false);
+  table.check(gap.empty(), {"file", "origin"}, gap);
+  return map;
+}
+
+/// A rigid body's shape, at the start.
+[[nodiscard]] auto read_shape(const TomlTable& table, const Scene& scene, SceneFiles& files) {
+  constexpr std::array<std::string_view, 3> kinds{"ball", "plane", "stl"};
+  decltype(BodyScene::surface) surface;
+  const std::string kind = table.choice("surface", "form of the body", kinds);
+  if (!table.is_sound("surface")) return surface;
+  if (kind == "plane") surface = read_plane(table, dimensions_of(scene));
+  if (kind == "stl") {
+    check_dimensions(table, scene, 3);
+    if (auto triangles = files.read_triangles(table, "surface of the body in the STL format [m]")) {
+      surface = *std::move(triangles);
+    }
+  }
+  if (kind == "ball") {
+    BallScene ball;
+    ball.centre = table.numbers("centre", "of the ball [m]", io::any_value(), dimensions_of(scene));
+    ball.radius = table.number("radius", "of the ball [m]", above(0));
+    ball.is_hollow = table.boolean_or(false, "is_hollow", "whether material is inside of the ball");
+    surface = ball;
+  }
+  return surface;
+}
+
+/// Where a body turns about if the scene does not say: the centre of a ball, a plane's point, or the origin.
+[[nodiscard]] std::vector<double> own_pivot(const BodyScene& body, std::size_t dimensions) {
+  std::vector<double> pivot;
+  if (const auto* ball = std::get_if<BallScene>(&body.surface)) pivot = ball->centre;
+  if (const auto* plane = std::get_if<PlaneScene>(&body.surface)) pivot = plane->point;
+  pivot.resize(dimensions, 0.0);
+  return pivot;
+}
+
+void read_turn(const TomlTable& table, BodyScene& body, std::size_t dimensions) {
+  body.angular_velocity =
+      table.number_or(0, "angular_velocity", "of the body, about its axis [rad/s]", io::any_value());
+  body.pivot = numbers_or(own_pivot(body, dimensions), table, "pivot", "what the body turns about [m]");
+  body.axis = {0, 0, 1};
+  if (dimensions < 3) return;
+  const auto axis = numbers_or({0, 0, 1}, table, "axis", "that the body turns about [-]");
+  table.check(has_direction(axis), {"axis"}, "must have a direction");
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  for (std::size_t d = 0; d < 3 && length > 0; ++d) body.axis[d] = axis[d] / length;
+}
+
+[[nodiscard]] BodyScene read_body(const TomlTable& table, const Scene& scene, SceneFiles& files) {
+  const std::size_t dimensions = dimensions_of(scene);
+  BodyScene body;
+  body.surface = read_shape(table, scene, files);
+  body.contact = read_contact(table, scene);
+  body.velocity = numbers_or(std::vector<double>(dimensions, 0.0), table, "velocity", "of the body [m/s]");
+  read_turn(table, body, dimensions);
+  body.start = table.number_or(0, "start", "of the motion [s]", at_least(0));
+  body.stop = std::numeric_limits<double>::infinity();
+  if (table.has("stop")) body.stop = table.number("stop", "end of the motion [s]", at_least(0));
+  table.check(body.stop >= body.start, {"stop", "start"},
+              fmt::format("must not come before start = {:g}", body.start));
+  return body;
+}
+
+}  // namespace
+
+TerrainScene read_terrain(const TomlTable& table, const Scene& scene, SceneFiles& files) {
+  constexpr std::array<std::string_view, 4> kinds{"plane", "profile", "raster", "stl"};
+  TerrainScene terrain;
+  const std::string kind = table.choice("surface", "how the ground is given", kinds);
+  if (table.is_sound("surface")) {
+    table.check(scene.mesh.dimensions > 1, {"surface"}, "is for meshes of 2 or 3 dimensions");
+    if (kind == "plane") terrain.surface = read_plane(table, dimensions_of(scene));
+    if (kind == "profile") {
+      check_dimensions(table, scene, 2);
+      ProfileScene profile{table.numbers("heights", "of the ground, from one end of x to the other [m]")};
+      table.check(profile.heights.size() >= 2, {"heights"}, "must be at least two");
+      terrain.surface = std::move(profile);
+    }
+    if (kind == "raster") {
+      check_dimensions(table, scene, 3);
+      terrain.surface = read_raster(table, scene, files);
+    }
+    if (kind == "stl") {
+      check_dimensions(table, scene, 3);
+      TrianglesScene surface;
+      if (auto triangles = files.read_triangles(table, "surface of the ground in the STL format [m]")) {
+        surface.triangles = *std::move(triangles);
+      }
+      surface.place = read_map_place(table);
+      terrain.surface = std::move(surface);
+    }
+  }
+  terrain.contact = read_contact(table, scene);
+  return terrain;
+}
+
+std::vector<BodyScene> read_bodies(const std::vector<TomlTable>& tables, const Scene& scene,
+                                   SceneFiles& files) {
+  std::vector<BodyScene> bodies;
+  for (const TomlTable& table : tables) {
+    table.check(scene.mesh.dimensions > 1, {"surface"}, "is for meshes of 2 or 3 dimensions");
+    bodies.push_back(read_body(table, scene, files));
+  }
+  return bodies;
+}
+
+}  // namespace scree::app

@@ -1,0 +1,126 @@
+// Ground and bodies by their keys in a scene: surfaces as given, and motion with an exact solution.
+
+#include "scree/ground.hpp"
+
+#include "surroundings.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace scree::app::testing {
+namespace {
+
+const std::string small_box = "[material]\nlow = [0.0, 0.75, 0.0]\nhigh = [2.0, 1.0, 1.5]\n";
+
+[[nodiscard]] mpm::AnySurface<3> ground_of(const Scene& scene) {
+  return surface_of<3>(*scene.terrain, scene.mesh);
+}
+
+/// Heights are 0.1 + 0.1 x + 0.2 z over the mesh: 0.15 at (0.25, 0.25), and linear between.
+TEST(TerrainScene, LiesWhereItsMapSays) {
+  const auto ground = ground_of(read_on_map(tilted_ground, small_box));
+  const double stretch = std::sqrt(1 + 0.1 * 0.1 + 0.2 * 0.2);
+
+  for (const Vector<3>& x : {Vector<3>{0, 0, 0}, Vector<3>{2, 0.3, 1.5}, Vector<3>{0.7, 0.9, 1.1}}) {
+    const auto seen = ground(x);
+    // Numbers of 100 m are differenced over half a metre, in places of which ten are summed.
+    const double rounding = 10 * 2 * 100 * round_off;
+    EXPECT_NEAR(seen.distance, (x[1] - (0.075 + 0.1 * x[0] + 0.2 * x[2])) / stretch, rounding + 2e-9);
+    EXPECT_NEAR((seen.normal - Vector<3>{-0.1, 1, -0.2} / stretch).norm(), 0, 10 * rounding);
+  }
+}
+
+/// Nodes beyond an open end lie on ground as high as that at the end.
+TEST(TerrainScene, GoesOnLevelBeyondTheMesh) {
+  const auto ground = ground_of(read_on_map(tilted_ground, small_box));
+
+  EXPECT_EQ(ground({2.25, 0.5, 0.5}).distance, ground({2, 0.5, 0.5}).distance);
+  EXPECT_EQ(ground({0.5, 0.5, -0.25}).distance, ground({0.5, 0.5, 0}).distance);
+}
+
+TEST(TerrainScene, ProfileGoesFromEndToEnd) {
+  const Scene scene =
+      parse_scene(
+          block_scene("[terrain]\nsurface = \"profile\"\nheights = [0.1, 0.15, 0.1]\ncontact = \"sticks\"\n",
+                      0),
+          "scene.toml")
+          .scene;
+  const auto ground = surface_of<2>(*scene.terrain, scene.mesh);
+  const double stretch = std::hypot(1, 0.25);
+
+  EXPECT_NEAR(ground({0.2, 0.2}).distance, 0.05 / stretch, 8 * round_off);
+  EXPECT_NEAR(ground({0.1, 0.2}).distance, 0.075 / stretch, 8 * round_off);
+}
+
+/// Momentum along the ground, and mu times that across, change by the weight alone while the block slides.
+/// It does after h^2/nu = 2e-3 s.
+TEST(TerrainScene, LetsABlockSlideAtItsAcceleration) {  // Eq. (M63)
+  Simulation<2, 2> block{
+      parse_scene(block_scene("[terrain]\nsurface = \"plane\"\npoint = [0, 0.15]\nnormal = [0, 1]\n"
+                              "contact = {law = \"coulomb\", friction = 0.1}\n",
+                              30),
+                  "scene.toml")
+          .scene,
+      {1}};
+  const auto run_until = [&](double time) {
+    while (block.clock.time < time) block.step();
+  };
+  run_until(0.05);
+  const double start = block.clock.time;
+  const double before = mean_velocity(block, 0) + 0.1 * mean_velocity(block, 1);
+
+  run_until(0.15);
+
+  const double gained = mean_velocity(block, 0) + 0.1 * mean_velocity(block, 1) - before;
+  const double degree = std::numbers::pi / 180;
+  const double acceleration = 9.81 * (std::sin(30 * degree) - 0.1 * std::cos(30 * degree));
+  // 1000 steps of about 100 sums, of speeds up to 1 m/s
+  EXPECT_NEAR(gained, (block.clock.time - start) * acceleration, 1000 * 100 * round_off);
+}
+
+/// The block follows as exp(-pi^2 nu t/(4 h^2)), with h^2/nu = 2e-3 s: exp(-72) is left at the end of each
+/// part. At rest, places of nodes of up to 0.5 m are rounded a few times and differenced over the step.
+TEST(BodyScene, TakesMaterialAlongFromItsStartToItsStop) {
+  Simulation<2, 2> block{
+      parse_scene(block_scene("[[bodies]]\nsurface = \"plane\"\npoint = [0, 0.15]\nnormal = [0, 1]\n"
+                              "contact = {law = \"sticks\", hold = \"pushes_and_pulls\"}\n"
+                              "velocity = [0.3, 0]\nstart = 0.02\nstop = 0.08\n",
+                              0),
+                  "scene.toml")
+          .scene,
+      {1}};
+  const auto mean_at = [&](double time) {
+    while (block.clock.time < time) block.step();
+    return mean_velocity(block, 0);
+  };
+
+  EXPECT_NEAR(mean_at(0.0199), 0, 4 * round_off / 1e-4);
+  EXPECT_NEAR(mean_at(0.079), 0.3, 0.3 * 1e-6);
+  EXPECT_NEAR(mean_at(0.139), 0, 0.3 * 1e-6);
+}
+
+TEST(BodyScene, TurnsABallAboutItsCentre) {
+  const auto body = [](const std::string& more) {
+    return parse_scene(block_scene("[[bodies]]\nsurface = \"ball\"\ncentre = [0.2, 0.1]\nradius = 0.04\n"
+                                   "contact = \"sticks\"\nangular_velocity = 2\n" +
+                                       more,
+                                   0),
+                       "scene.toml")
+        .scene.bodies.at(0);
+  };
+
+  EXPECT_EQ(body("").pivot, (std::vector<double>{0.2, 0.1}));
+  EXPECT_EQ(body("pivot = [0, 0]\n").pivot, (std::vector<double>{0, 0}));
+  EXPECT_NEAR(surface_of<2>(body(""))({0.2, 0.2}).distance, 0.06, 4 * round_off);
+  EXPECT_NEAR(surface_of<2>(body("is_hollow = true\n"))({0.2, 0.11}).distance, 0.03, 4 * round_off);
+}
+
+TEST(SurroundingsOfAScene, LeftOutAreNotThere) {
+  const Simulation<2, 2> block{parse_scene(block_scene("", 0), "scene.toml").scene, {1}};
+
+  EXPECT_EQ(block.stages().boundaries.size(), 2U);  // walls across y
+  EXPECT_EQ(block.stages().leaving, mpm::Leaving::stop);
+}
+
+}  // namespace
+}  // namespace scree::app::testing
