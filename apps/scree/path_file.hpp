@@ -17,6 +17,7 @@ struct PathFile {
   std::string title;
   rheology::AnyLaw law;
   std::vector<double> inputs;      ///< a number per column that the law reads, in its unit
+  std::vector<double> state;       ///< the law's memory at the start, a number per column, in its unit
   std::optional<double> pressure;  ///< of the point at rest [Pa]; if not given, its density is
   double density = 0;              ///< of the point at rest [kg/m^3]
   std::vector<rheology::Stage> stages;

@@ -2,6 +2,7 @@
 
 #include "scree/chosen.hpp"
 
+#include <scree/constitutive_law.hpp>
 #include <scree/error.hpp>
 #include <scree/io/toml_reader.hpp>
 #include <scree/parameter.hpp>
@@ -23,6 +24,13 @@ concept IsLaw = rheology::DescribedLaw<Law> || rheology::DescribedWall<Law>;
 /// What a key may be that gives a law what it reads.
 [[nodiscard]] inline io::Bounds bounds_of(const Interval& range) noexcept {
   return {range.lower, range.upper, range.is_open, range.is_open && std::isfinite(range.upper)};
+}
+
+/// A number of a law's memory at the start, where a person may tell it; else that of undeformed material.
+/// @param table may have a key of its name
+[[nodiscard]] inline double read_initial(const io::TomlTable& table, const StateColumn& state) {
+  if (!state.start || !table.has(state.name)) return state.initial;
+  return table.number(state.name, fmt::format("at the start [{}]", state.unit), bounds_of(*state.start));
 }
 
 /// A law from its parameters, each a key of the table.

@@ -33,6 +33,16 @@ using rheology::symmetric_components;
   return inputs;
 }
 
+/// The law's memory at the start.
+[[nodiscard]] std::vector<double> read_state(const TomlTable& table, const rheology::AnyLaw& law) {
+  std::vector<double> numbers;
+  const auto read = [&](const auto& chosen) {
+    for (const StateColumn& state : chosen.states) numbers.push_back(read_initial(table, state));
+  };
+  std::visit(read, law);
+  return numbers;
+}
+
 void read_start(const TomlTable& table, PathFile& file) {
   if (table.has("density")) {
     file.density = table.number("density", "density at the start [kg/m^3]", above(0));
@@ -107,7 +117,10 @@ void read_simple_shear(const TomlTable& stage, rheology::Controls& controls) {
   const TomlTable law = root.table("rheology");
   read_chosen(law, "law", "constitutive law", path.law);
   const TomlTable inputs = root.table_or_empty("inputs");
-  if (law.is_sound("law")) path.inputs = read_inputs(inputs, path.law);
+  if (law.is_sound("law")) {
+    path.inputs = read_inputs(inputs, path.law);
+    path.state = read_state(law.table_or_empty("initial"), path.law);
+  }
   read_start(root.table("start"), path);
   const std::vector<TomlTable> stages = root.tables("stages");
   if (stages.empty()) root.add_fault("stages", "missing, expected at least one table [[stages]]");

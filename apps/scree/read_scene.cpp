@@ -86,9 +86,7 @@ using io::TomlTable;
   const auto read = [&](const auto& law) {
     for (const StateColumn& state : law.states) {
       if (!state.start || !table.has(state.name)) continue;
-      const std::string meaning = fmt::format("at the start [{}]", state.unit);
-      initial.push_back(
-          {std::string{state.name}, table.number(state.name, meaning, bounds_of(*state.start))});
+      initial.push_back({std::string{state.name}, app::read_initial(table, state)});
     }
   };
   std::visit(read, any_law);

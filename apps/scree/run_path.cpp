@@ -77,6 +77,13 @@ void add_state(std::vector<Column>& columns, const PathPoint& point) {
   return columns;
 }
 
+/// An aggregate of numbers, one for each column that describes it.
+template <class Aggregate, class Columns>
+[[nodiscard]] Aggregate from_numbers(const Columns& columns, const std::vector<double>& numbers) {
+  std::size_t next = 0;
+  return rheology::made_of<Aggregate>(columns, [&](const auto& /*column*/) { return numbers.at(next++); });
+}
+
 }  // namespace
 
 std::unique_ptr<PathPoint> start_of(const PathFile& file) {
@@ -84,13 +91,12 @@ std::unique_ptr<PathPoint> start_of(const PathFile& file) {
       [&](const auto& law) -> std::unique_ptr<PathPoint> {
         using Law = std::decay_t<decltype(law)>;
         using Point = rheology::PathPointOf<Law>;
-        std::size_t next = 0;
-        const auto input = rheology::made_of<typename Point::Input>(
-            Law::inputs, [&](const InputColumn& /*column*/) { return file.inputs.at(next++); });
-        const double density = file.pressure
-                                   ? density_at_pressure(Point{law, law.density, input}, *file.pressure)
-                                   : file.density;
-        return std::make_unique<Point>(law, density, input);
+        const auto input = from_numbers<typename Point::Input>(Law::inputs, file.inputs);
+        const auto state = from_numbers<typename Point::State>(Law::states, file.state);
+        const double density =
+            file.pressure ? density_at_pressure(Point{law, law.density, input, state}, *file.pressure)
+                          : file.density;
+        return std::make_unique<Point>(law, density, input, state);
       },
       file.law);
 }

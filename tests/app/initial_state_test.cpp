@@ -142,6 +142,37 @@ TEST(InitialState, HasGrainsAsFineAsItsBreakage) {
   }
 }
 
+/// Ground that was made dense or loose rests under its weight from the density on at which its grains touch:
+/// dp/dz = rho(p) g lies between the weights of that and of the densest point.
+template <class Law>
+void expect_ground(const std::string& key, double value, double touching) {
+  SCOPED_TRACE(key);
+  Simulation<1, 2> ground =
+      simulation_of(column_of(0.5, typical_law<Law>() + fmt::format("initial.{} = {}\n", key, value),
+                              typical_grains<Law>()),
+                    {"gravity.magnitude=9.81"});
+  const auto& particles = ground.state.particles;
+  std::vector<double> pressures(static_cast<std::size_t>(particles.size()));
+  ground.stages().stress->pressure(particles, pressures);
+  const double densest = std::ranges::max(particles.density.values());
+
+  for (Index p = 0; p < particles.size(); ++p) {
+    const double depth = 0.5 - particles.position.component(0)[p];
+    const double pressure = pressures[static_cast<std::size_t>(p)];
+    EXPECT_GT(pressure, touching * 9.81 * depth);
+    EXPECT_LT(pressure, densest * 9.81 * depth);
+  }
+  for (int i = 0; i < 100; ++i) ground.step();
+  EXPECT_EQ(ground.clock.step, 100);
+}
+
+TEST(InitialState, IsGroundAsDenseAsItWasMade) {
+  expect_ground<rheology::MohrCoulomb>("dilation", -0.05, 1500 * std::exp(0.05));
+  expect_ground<rheology::MohrCoulomb>("dilation", 0.05, 1500 * std::exp(-0.05));
+  expect_ground<rheology::Breakage>("compaction", 0.05, 1600 * std::exp(0.05));
+  expect_ground<rheology::MuPhiOfI>("unloaded_volume", 0.97, 1500 / 0.97);
+}
+
 TEST(InitialState, OfAnUnknownNameIsRefused) {
   EXPECT_EQ(
       message_of(column_of(

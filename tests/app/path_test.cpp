@@ -5,6 +5,7 @@
 #include <scree/error.hpp>
 #include <scree/rheology/path/paths.hpp>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -110,6 +111,78 @@ TEST(PathFile, BeginsAtItsPressureOrItsDensity) {
 
   EXPECT_NEAR(-pressed->now.stress(0, 0), 1e3, 8 * round_off * 1e6);  // of a density, met by K
   EXPECT_NEAR(-packed->now.stress(0, 0), 2e3, 8 * round_off * 1e6);
+}
+
+/// The small path of another law, with what its table ends with.
+template <class Law>
+[[nodiscard]] std::string path_of(const std::string& keys) {
+  std::string text = fmt::format("[rheology]\nlaw = \"{}\"\n", Law::name);
+  for (const auto& parameter : Law::parameters) {
+    text += fmt::format("{} = {}\n", parameter.name, parameter.typical);
+  }
+  text += keys + "[inputs]\n";
+  for (const InputColumn& input : Law::inputs) text += fmt::format("{} = {}\n", input.name, input.typical);
+  return text + small_path().substr(small_path().find("[start]"));
+}
+
+TEST(PathFile, BeginsWithTheMemoryItIsGiven) {
+  const PathFile file =
+      parse_path_file(path_of<rheology::MuPhiOfI>("initial.unloaded_volume = 0.98\n"), "path.toml");
+  const PathFile without = parse_path_file(path_of<rheology::MuPhiOfI>(""), "path.toml");
+
+  EXPECT_EQ(start_of(file)->state(), std::vector{0.98});
+  EXPECT_EQ(start_of(without)->state(), std::vector{1.0});
+  EXPECT_GT(start_of(file)->now.density, start_of(without)->now.density);  // at one pressure
+}
+
+/// Ground that shear has loosened, or crushing compacted, touches at another density.  Eqs. (R57), (R113)
+TEST(PathFile, BeginsAtTheDensityOfItsMemory) {
+  const auto density_of = [](std::string text) {
+    text.replace(text.find("pressure = 1e3"), 14, "pressure = 0");
+    return start_of(parse_path_file(text, "path.toml"))->now.density;
+  };
+
+  for (const double dilation : {-0.05, 0.0, 0.05}) {
+    const double expected = 1500 * std::exp(-dilation);
+    EXPECT_NEAR(density_of(path_of<rheology::MohrCoulomb>(fmt::format("initial.dilation = {}\n", dilation))),
+                expected, 16 * round_off * expected);  // a logarithm of a ratio near one
+  }
+  for (const double compaction : {0.0, 0.05}) {
+    const double expected = 1600 * std::exp(compaction);
+    EXPECT_NEAR(density_of(path_of<rheology::Breakage>(fmt::format("initial.compaction = {}\n", compaction))),
+                expected, 16 * round_off * expected);
+  }
+}
+
+/// A gas four times as hot presses four times as much at one density.  Eq. (R100)
+TEST(PathFile, BeginsWithAStressOfItsMemory) {
+  const auto pressure_at = [](const std::string& temperature) {
+    std::string gas =
+        path_of<rheology::KineticTheory>("initial.granular_temperature = " + temperature + "\n");
+    gas.replace(gas.find("pressure = 1e3"), 14, "density = 1000");
+    const auto point = start_of(parse_path_file(gas, "path.toml"));
+    return -point->now.stress(0, 0);
+  };
+
+  EXPECT_NEAR(pressure_at("4e-4") / pressure_at("1e-4"), 4, 8 * round_off);  // two products
+}
+
+TEST(BadPathFile, MemoryOutOfItsRangeIsNamed) {
+  EXPECT_EQ(message_of(path_of<rheology::MuPhiOfI>("[rheology.initial]\nunloaded_volume = 0\n")),
+            "path.toml:13: [rheology.initial] unloaded_volume = 0: must exceed 0 (at the start [-])");
+}
+
+TEST(BadPathFile, MemoryOfGroundOutOfItsRangeIsNamed) {
+  EXPECT_EQ(message_of(path_of<rheology::MohrCoulomb>("[rheology.initial]\ndilation = -1\n")),
+            "path.toml:11: [rheology.initial] dilation = -1: must lie in (-1, 1) (at the start [-])");
+  EXPECT_EQ(message_of(path_of<rheology::Breakage>("[rheology.initial]\ncompaction = -0.1\n")),
+            "path.toml:11: [rheology.initial] compaction = -0.1: must lie in [0, 1] (at the start [-])");
+}
+
+TEST(BadPathFile, MemoryThatIsNotForAPersonToTellIsNamed) {
+  const std::string message = message_of(
+      path_of<rheology::GranularElastoviscoplastic>("[rheology.initial]\ndeviatoric_stress_xx = 1\n"));
+  EXPECT_EQ(message, "path.toml:11: [rheology.initial] deviatoric_stress_xx: unknown key");
 }
 
 TEST(PathCsv, HasAColumnWithItsUnitForAllThatTheLawHas) {

@@ -1,13 +1,13 @@
 #include "mixed_control.hpp"
 
 #include <scree/error.hpp>
+#include <scree/rest_density.hpp>
 #include <scree/rheology/dissipation.hpp>
 #include <scree/rheology/path/drive.hpp>
 
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <utility>
 
 namespace scree::rheology {
 
@@ -179,23 +179,10 @@ double density_at_pressure(const PathPoint& point, double pressure) {
     message << "path: pressure = " << pressure << " Pa: must be finite and at least 0";
     throw InputError{message.str()};
   }
-  constexpr int max_iterations = 100;
-  constexpr double compression = 1 + 1e-3;  // [-], of the first try: no law has let go there
   const auto excess = [&](double density) {
     return mean_pressure(point.answer({Tensor<double>{}, density}, 0).stress) - pressure;
   };
-  double previous = point.now.density;
-  double density = previous * compression;
-  double at_previous = excess(previous);
-  if (at_previous == 0) return previous;
-  for (int i = 0; i < max_iterations; ++i) {
-    const double at_density = excess(density);
-    if (at_density == 0 || std::abs(density - previous) <= 4 * round_off * density) return density;
-    const double next = density - at_density * (density - previous) / (at_density - at_previous);
-    if (!(next > 0 && std::isfinite(next))) break;
-    previous = std::exchange(density, next);
-    at_previous = at_density;
-  }
+  if (const auto density = rest_density(excess, point.now.density)) return *density;
   message << "the law '" << point.law() << "' has no density at which its pressure is " << pressure << " Pa";
   throw RunError{message.str()};
 }

@@ -3,16 +3,15 @@
 #include <scree/mpm/law_inputs.hpp>
 #include <scree/mpm/particle_blocks.hpp>
 #include <scree/mpm/particles.hpp>
+#include <scree/rest_density.hpp>
 #include <scree/update_block.hpp>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 
 namespace scree::mpm {
 
@@ -145,27 +144,13 @@ class StressUpdateBy final : public StressUpdate<D, V> {
     }
   }
 
-  /// By the secant rule; a linear equation of state takes one step.
   [[nodiscard]] double density_at(const Particles<D, V>& particles, Index p, double wanted) const override {
-    constexpr int max_iterations = 50;
-    const double start = particles.density.component(0)[p];
-    const double tolerance = 4 * round_off * start;
     const Input input = load<Input>(particles, inputs_, p);
+    const State state = load<State>(particles, states_, p);
     const auto excess = [&](double density) {
-      const auto response =
-          law_.update({Tensor<double>{}, density}, input, load<State>(particles, states_, p), 0.0);
-      return -trace(response.stress) / 3 - wanted;
+      return -trace(law_.update({Tensor<double>{}, density}, input, state, 0.0).stress) / 3 - wanted;
     };
-    double previous = start;
-    double density = start * (1 + 1e-3);  // compressed, so that no law has let go
-    for (int i = 0; i < max_iterations; ++i) {
-      const double at_previous = excess(previous);
-      const double at_density = excess(density);
-      if (at_density == 0 || std::abs(density - previous) <= tolerance) return density;
-      const double next = density - at_density * (density - previous) / (at_density - at_previous);
-      if (!std::isfinite(next)) break;
-      previous = std::exchange(density, next);
-    }
+    if (const auto density = rest_density(excess, particles.density.component(0)[p])) return *density;
     throw RunError{"the law '" + std::string{Law::name} + "' has no density at which its pressure is " +
                    std::to_string(wanted) + " Pa"};
   }

@@ -39,14 +39,15 @@ struct Breakage {
 
     [[nodiscard]] constexpr Symmetric<Real> stretch() const noexcept { return {xx, yy, zz, xy, xz, yz}; }
   };
-  static constexpr std::array<StateColumn, 8> states{{{"elastic_stretch_xx", "-", 1},
-                                                      {"elastic_stretch_yy", "-", 1},
-                                                      {"elastic_stretch_zz", "-", 1},
-                                                      {"elastic_stretch_xy", "-"},
-                                                      {"elastic_stretch_xz", "-"},
-                                                      {"elastic_stretch_yz", "-"},
-                                                      {"compaction", "-"},
-                                                      {"breakage", "-", 0, Interval{.upper = 1}}}};
+  static constexpr std::array<StateColumn, 8> states{
+      {{"elastic_stretch_xx", "-", 1},
+       {"elastic_stretch_yy", "-", 1},
+       {"elastic_stretch_zz", "-", 1},
+       {"elastic_stretch_xy", "-"},
+       {"elastic_stretch_xz", "-"},
+       {"elastic_stretch_yz", "-"},
+       {"compaction", "-", 0, Interval{.upper = 1, .is_open = false}},
+       {"breakage", "-", 0, Interval{.upper = 1}}}};
 
   double bulk_modulus;           ///< K of unbroken grains [Pa]
   double shear_modulus;          ///< G of unbroken grains [Pa]

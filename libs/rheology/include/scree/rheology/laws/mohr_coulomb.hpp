@@ -42,7 +42,7 @@ struct MohrCoulomb {
                                                       {"elastic_stretch_xy", "-"},
                                                       {"elastic_stretch_xz", "-"},
                                                       {"elastic_stretch_yz", "-"},
-                                                      {"dilation", "-"}}};
+                                                      {"dilation", "-", 0, Interval{-1, 1}}}};
 
   double friction;          ///< tangent of the friction angle phi [-]
   double cohesion;          ///< c, shear stress at yield without pressure [Pa]
