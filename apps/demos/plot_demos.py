@@ -217,14 +217,85 @@ def draw_segregation_column(folder: Path) -> list[Path]:
     return save(figure, folder / "segregation_column")
 
 
+def draw_free_fall(folder: Path) -> list[Path]:
+    """How far a block has fallen, and how much of that is the step's."""
+    fall = read_table(folder / "free_fall.csv")
+    figure, (left, right) = plt.subplots(1, 2, figsize=WIDE, layout="constrained")
+    left.plot(fall["time"], fall["theory"], color=SERIES_COLOURS[0])
+    left.plot(fall["time"][::50], fall["way"][::50], "o", color="black", markersize=7)
+    left.set(title="A block (dots) falls by g t²/2 (line)", xlabel="time [s]", ylabel="way [m]")
+    right.plot(fall["time"], METRES_TO_MM * (fall["way_of_the_step"] - fall["theory"]), color=SERIES_COLOURS[0])
+    right.plot(
+        fall["time"][::50], METRES_TO_MM * (fall["way"] - fall["theory"])[::50], "o", color="black", markersize=7
+    )
+    right.set(title="ahead by g t dt/2, as its steps are", xlabel="time [s]", ylabel="ahead of theory [mm]")
+    return save(figure, folder / "free_fall")
+
+
+def draw_elastic_bar(folder: Path) -> list[Path]:
+    """The last period of a ringing bar, on three meshes."""
+    bar = read_table(folder / "elastic_bar.csv")
+    last = bar["period"] >= 4
+    figure, axes = plt.subplots(figsize=WIDE, layout="constrained")
+    axes.plot(bar["period"][last], bar["theory"][last], color="black", linewidth=1.8)
+    for cells, colour in zip((10, 20, 40), SERIES_COLOURS):
+        axes.plot(bar["period"][last], bar[f"cells_{cells}"][last], color=colour, linestyle="--")
+        at = 4.6 + 0.08 * (cells // 20)
+        axes.text(at, 0.95 - 0.12 * (cells // 20), f"{cells} cells", color=colour, fontweight="bold", ha="right")
+    axes.set(title="A bar rings, a little too slowly: theory (line) and scheme (dashed)")
+    axes.set(xlabel="time [periods]", ylabel="velocity / velocity at the start", xlim=(4, 5))
+    return save(figure, folder / "elastic_bar")
+
+
+def draw_sliding_block(folder: Path) -> list[Path]:
+    """How far a block has slid, and theory."""
+    slide = read_table(folder / "sliding_block.csv")
+    figure, axes = plt.subplots(figsize=WIDE, layout="constrained")
+    axes.plot(slide["time"], slide["theory"], color=SERIES_COLOURS[0])
+    axes.plot(slide["time"][::2], slide["way"][::2], "o", color="black", markersize=7)
+    axes.set(title="A block (dots) slides 19.86 m in 5 s (line), at 24° with µ = tan 15°")
+    axes.set(xlabel="time [s]", ylabel="way down the bed [m]", xlim=(0, 5.1), ylim=(0, None))
+    return save(figure, folder / "sliding_block")
+
+
+def draw_own_law(folder: Path) -> list[Path]:
+    """The speed of a layer over its height, and theory."""
+    layer = read_table(folder / "own_law.csv")
+    order = np.argsort(layer["y"])
+    y = METRES_TO_CM * layer["y"][order]
+    figure, axes = plt.subplots(figsize=WIDE, layout="constrained")
+    axes.plot(layer["theory"][order], y, color=SERIES_COLOURS[0])
+    axes.plot(layer["velocity"][order][::4], y[::4], "o", color="black", markersize=7)
+    axes.set(title="Your own law: Bagnold's grains (dots) and theory (line)")
+    axes.set(xlabel="speed [m/s]", ylabel="height [cm]", xlim=(0, None), ylim=(0, None))
+    return save(figure, folder / "own_law")
+
+
+def draw_own_wall(folder: Path) -> list[Path]:
+    """The speed of a block on a film of oil over time, and theory."""
+    slide = read_table(folder / "own_wall.csv")
+    every = max(1, len(slide["time"]) // 30)
+    figure, axes = plt.subplots(figsize=WIDE, layout="constrained")
+    axes.plot(slide["time"], slide["theory"], color=SERIES_COLOURS[0])
+    axes.plot(slide["time"][::every], slide["velocity"][::every], "o", color="black", markersize=7)
+    axes.set(title="Your own wall: a block on a film of oil (dots) and theory (line)")
+    axes.set(xlabel="time [s]", ylabel="speed [m/s]", xlim=(0, None), ylim=(0, None))
+    return save(figure, folder / "own_wall")
+
+
 PICTURES: dict[str, Callable[[Path], list[Path]]] = {
     "burgers_waves.csv": draw_burgers,
     "creeping_layer.csv": draw_creeping_layer,
     "dam_break_1.csv": draw_dam_break,
+    "elastic_bar.csv": draw_elastic_bar,
     "euler_riemann.csv": draw_euler_riemann,
+    "free_fall.csv": draw_free_fall,
     "kpp_right.csv": draw_kpp,
     "loading_path.csv": draw_loading_path,
+    "own_law.csv": draw_own_law,
+    "own_wall.csv": draw_own_wall,
     "segregation_column.csv": draw_segregation_column,
+    "sliding_block.csv": draw_sliding_block,
     "slotted_disk_minmod.csv": draw_slotted_disk,
 }
 
