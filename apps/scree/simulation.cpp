@@ -200,7 +200,7 @@ std::vector<double> Simulation<D, V>::stability_numbers() const {
 
 template <int D, int V>
 std::optional<double> Simulation<D, V>::ill_posed_share() const {
-  if (!stages_.stress->tells_stability()) return std::nullopt;
+  if (!stages_.stress->tells_stability() || num_points() == 0) return std::nullopt;
   const std::vector<double> numbers = stability_numbers();
   Index ill_posed = 0;
   for (Index p = 0; p < state.particles.size(); ++p) {
@@ -237,6 +237,8 @@ double Simulation<D, V>::next_frame_time() const noexcept {
 
 template <int D, int V>
 mpm::TimeStep Simulation<D, V>::next_step() const {
+  if (state.particles.size() == 0)
+    return {next_frame_time() - clock.time, mpm::Limit::output};  // all have left
   return mpm::stable_time_step(grid(), state.rates, scene_.time_step);
 }
 

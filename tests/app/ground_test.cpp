@@ -2,6 +2,7 @@
 
 #include "scree/ground.hpp"
 
+#include "scree/run.hpp"
 #include "surroundings.hpp"
 
 #include <cmath>
@@ -27,6 +28,31 @@ TEST(TerrainScene, LiesWhereItsMapSays) {
     const double rounding = 10 * 2 * 100 * round_off;
     EXPECT_NEAR(seen.distance, (x[1] - (0.075 + 0.1 * x[0] + 0.2 * x[2])) / stretch, rounding + 2e-9);
     EXPECT_NEAR((seen.normal - Vector<3>{-0.1, 1, -0.2} / stretch).norm(), 0, 10 * rounding);
+  }
+}
+
+/// Two triangles of the same slope, counter-clockwise from above, in a file beside the scene.
+TEST(TerrainScene, TrianglesLieWhereTheirMapSays) {
+  std::ofstream{folder_with_maps() / "tilted.stl"}
+      << "solid tilted\n"
+         "facet normal 0 0 0\nouter loop\nvertex 90 40 8\nvertex 110 40 10\nvertex 110 60 "
+         "14\nendloop\nendfacet\n"
+         "facet normal 0 0 0\nouter loop\nvertex 90 40 8\nvertex 110 60 14\nvertex 90 60 "
+         "12\nendloop\nendfacet\n"
+         "endsolid tilted\n";
+  std::string terrain = tilted_ground;
+  terrain.replace(terrain.find("raster"), 6, "stl");
+  terrain.replace(terrain.find("tilted.asc"), 10, "tilted.stl");
+  terrain.replace(terrain.find("datum = 10"), 10, "datum = 11");
+
+  const auto ground = ground_of(read_on_map(terrain, small_box));
+
+  const double stretch = std::sqrt(1 + 0.1 * 0.1 + 0.2 * 0.2);
+  for (const Vector<3>& x : {Vector<3>{0, 0.5, 0}, Vector<3>{1.5, 0.9, 0.25}}) {
+    const auto seen = ground(x);
+    const double rounding = 10 * 2 * 100 * round_off;  // numbers of 100 m, ten of which are summed
+    EXPECT_NEAR(seen.distance, (x[1] - 0.1 * x[0] - 0.2 * x[2]) / stretch, rounding);
+    EXPECT_NEAR((seen.normal - Vector<3>{-0.1, 1, -0.2} / stretch).norm(), 0, rounding);
   }
 }
 
@@ -113,6 +139,24 @@ TEST(BodyScene, TurnsABallAboutItsCentre) {
   EXPECT_EQ(body("pivot = [0, 0]\n").pivot, (std::vector<double>{0, 0}));
   EXPECT_NEAR(surface_of<2>(body(""))({0.2, 0.2}).distance, 0.06, 4 * round_off);
   EXPECT_NEAR(surface_of<2>(body("is_hollow = true\n"))({0.2, 0.11}).distance, 0.03, 4 * round_off);
+}
+
+/// The map is found beside the results, which read as the same scene.
+TEST(SurroundingsOfAScene, GoWithTheResults) {
+  const auto folder = folder_with_maps();
+  const std::string text = scene_on_map(tilted_ground, small_box);
+  RunOptions options;
+  options.directory = folder / "results";
+  options.is_quiet = true;
+  std::filesystem::remove_all(options.directory);
+
+  ASSERT_EQ(run_scene(parse_scene(text, (folder / "scene.toml").string(), {"time.end=0.001"}), options),
+            Outcome::finished);
+
+  const Scene again = read_scene(options.directory / "scene.toml", {}).scene;
+  EXPECT_EQ(ground_of(again)({1, 0.5, 1}).distance,
+            ground_of(read_on_map(tilted_ground, small_box))({1, 0.5, 1}).distance);
+  EXPECT_NE(profile_csv(options.directory, std::nullopt, std::nullopt).find("y,velocity"), std::string::npos);
 }
 
 TEST(SurroundingsOfAScene, LeftOutAreNotThere) {
