@@ -93,9 +93,29 @@ using io::TomlTable;
   return initial;
 }
 
+/// What a step does beside its own passes.
+void read_extra_passes(const TomlTable& table, Scene& scene) {
+  const std::string order =
+      table.choice_or("usl", "order", "when in a step stress is brought up to date", mpm::order_names);
+  for (std::size_t i = 0; i < mpm::order_names.size(); ++i) {
+    if (order == mpm::order_names[i]) scene.order = static_cast<mpm::Order>(i);
+  }
+  scene.averaging.volume_change = table.boolean_or(false, "averaged_volume_change",
+                                                   "whether laws see the mean change of volume of a cell");
+  scene.averaging.pressure =
+      table.boolean_or(false, "averaged_pressure", "whether forces are those of a cell's mean pressure");
+  scene.xpic_order = static_cast<int>(table.integer_or(
+      0, "xpic_order", "order of the filter of velocities; 0: they are not filtered", between(0, 20)));
+  const auto* flip = std::get_if<mpm::PicFlip>(&scene.transfer);
+  table.check(scene.xpic_order == 0 || (flip != nullptr && flip->increment_share() == 1),
+              {"xpic_order", "transfer"},
+              "velocities are filtered for transfer = \"pic_flip\" with increment_share = 1 only");
+}
+
 void read_numerics(const TomlTable& table, Scene& scene) {
   read_chosen(table, "shape", "shape function of momentum", scene.shape, "linear");
   read_chosen(table, "transfer", "how velocity travels between points and nodes", scene.transfer, "apic");
+  read_extra_passes(table, scene);
   constexpr std::array<std::string_view, 3> schemes{"explicit", "implicit", "auto"};
   const std::string viscosity =
       table.choice_or("explicit", "viscosity", "how the viscous part of the stress is advanced", schemes);

@@ -5,7 +5,9 @@
 #include <scree/mpm/boundaries.hpp>
 #include <scree/mpm/boundaries/contact.hpp>
 #include <scree/mpm/carried_cells.hpp>
+#include <scree/mpm/cell_means.hpp>
 #include <scree/mpm/leaving.hpp>
+#include <scree/mpm/order.hpp>
 #include <scree/mpm/shapes.hpp>
 #include <scree/mpm/time_step.hpp>
 #include <scree/mpm/transfers.hpp>
@@ -212,6 +214,9 @@ struct Scene {
   std::vector<InitialScene> initial;
   mpm::AnyShape shape;
   mpm::AnyTransfer transfer;
+  mpm::Order order = mpm::Order::usl;
+  mpm::Averaging averaging;
+  int xpic_order = 0;
   mpm::TimeStepOptions time_step;
   ViscosityScheme viscosity = ViscosityScheme::with_stress;
   double end = 0;  ///< simulated time [s]

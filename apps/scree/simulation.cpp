@@ -112,6 +112,9 @@ template <int D, int V>
     std::ranges::fill(particles.column(column).values(), initial.value);
   }
   stages.transfer = mpm::make_transfer<D, V>(scene.shape, scene.transfer);
+  stages.order = scene.order;
+  stages.averaging = scene.averaging;
+  if (scene.xpic_order > 0) stages.xpic = mpm::make_xpic<D, V>(scene.shape, scene.xpic_order);
   stages.leaving = scene.leaving;
   stages.gravity = gravity_of<V>(scene.gravity, D);
   return stages;

@@ -49,6 +49,33 @@ TEST(BadScene, ValueOutOfRangeIsNamed) {
             "scene.toml:16: [rheology] density = -1000: must exceed 0 (density without pressure [kg/m^3])");
 }
 
+TEST(BadScene, FilterOfVelocitiesThatDoesNotSuitTheTransferIsNamed) {
+  EXPECT_EQ(
+      message_of(small_scene() + "[numerics]\nxpic_order = 2\n"),
+      "scene.toml:27: [numerics] xpic_order = 2: velocities are filtered for transfer = \"pic_flip\" with "
+      "increment_share = 1 only");
+  EXPECT_EQ(message_of(small_scene() +
+                       "[numerics]\ntransfer = \"pic_flip\"\nincrement_share = 1\nxpic_order = 2\n"),
+            "no error");
+  EXPECT_EQ(
+      message_of(small_scene() + "[numerics]\norder = \"last\"\n"),
+      "scene.toml:27: [numerics] order = \"last\": expected one of usl, musl, usf (when in a step stress is "
+      "brought up to date)");
+}
+
+TEST(SmallScene, TakesEveryOrderAndEveryExtraPass) {
+  for (const std::string order : {"usl", "musl", "usf"}) {
+    const std::string text = small_scene() + "[numerics]\norder = \"" + order +
+                             "\"\naveraged_volume_change = true\naveraged_pressure = true\n";
+    Simulation<1, 2> simulation{parse_scene(text, "scene.toml").scene, {1}};
+
+    for (int n = 0; n < 10; ++n) simulation.step();
+
+    EXPECT_EQ(mpm::order_names[static_cast<std::size_t>(simulation.stages().order)], order);
+    EXPECT_TRUE(simulation.stages().averaging.volume_change && simulation.stages().averaging.pressure);
+  }
+}
+
 /// The small scene with another law.
 [[nodiscard]] std::string with_law(const std::string& law) {
   std::string text = small_scene();

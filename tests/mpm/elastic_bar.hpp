@@ -26,6 +26,8 @@ struct BarWave {
   Index num_cells;
   int half_waves;  ///< m
   double courant;  ///< of sound
+  Order order = Order::usl;
+  int xpic_order = 0;
 
   [[nodiscard]] double spacing() const { return 1 / static_cast<double>(num_cells); }
   [[nodiscard]] double wave_number() const { return std::numbers::pi * half_waves; }
@@ -55,19 +57,25 @@ class WaveRecursion {
 
   void advance() {
     const std::complex<double> before = scattered();
+    const auto filtered = changes_by_filter();
     std::complex<double> force = 0;
     for (PointFamily& family : families_) {
-      family.strain += family.gradient;
+      if (wave_.order == Order::usl) family.strain += family.gradient;
+      if (wave_.order == Order::usf) family.strain += family.slope * before;
       force -= std::conj(family.slope) * family.strain / double{BarWave::num_points};
     }
     const std::complex<double> increment = wave_.courant * wave_.courant * force;
     const std::complex<double> after = before + increment;
-    for (PointFamily& family : families_) {
+    for (std::size_t i = 0; i < BarWave::num_points; ++i) {
+      PointFamily& family = families_[i];
       family.gradient = family.slope * after;
       const double share = share_of_increment();
-      family.velocity =
-          share * (family.velocity + family.value * increment) + (1 - share) * family.value * after;
+      family.velocity = share * (family.velocity + family.value * increment) +
+                        (1 - share) * family.value * after + filtered[i];
     }
+    if (wave_.order != Order::musl) return;
+    const std::complex<double> mapped = scattered();
+    for (PointFamily& family : families_) family.strain += family.slope * mapped;
   }
 
   /// Velocity of a point, its family known from its place [v_0].
@@ -83,6 +91,21 @@ class WaveRecursion {
   [[nodiscard]] bool is_affine() const { return std::holds_alternative<Apic>(wave_.rule); }
   [[nodiscard]] double share_of_increment() const {
     return std::visit([](const auto& rule) { return rule.increment_share(); }, wave_.rule);
+  }
+
+  /// What the filter takes from the velocities.  Eq. (M130)
+  [[nodiscard]] std::array<std::complex<double>, BarWave::num_points> changes_by_filter() const {
+    std::array<std::complex<double>, BarWave::num_points> left{};
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = families_[i].velocity;
+    for (int k = 0; k < wave_.xpic_order; ++k) {  // left <- (1 - S S+) left
+      std::complex<double> mapped = 0;
+      for (std::size_t i = 0; i < left.size(); ++i) {
+        mapped += std::conj(families_[i].value) * left[i] / double{BarWave::num_points};
+      }
+      for (std::size_t i = 0; i < left.size(); ++i) left[i] -= families_[i].value * mapped;
+    }
+    for (auto& change : left) change = wave_.xpic_order > 0 ? -change : 0;
+    return left;
   }
 
   /// Momentum over mass of the nodes.
@@ -137,6 +160,8 @@ class BarInTheMesh {
     }
     stages_.stress = std::make_unique<StressUpdateBy<1, 1, NeoHookean>>(BarWave::solid, particles);
     stages_.transfer = make_transfer<1, 1>(wave.shape, wave.rule);
+    stages_.order = wave.order;
+    if (wave.xpic_order > 0) stages_.xpic = make_xpic<1, 1>(wave.shape, wave.xpic_order);
     for (const Side side : {Side::low, Side::high}) {
       stages_.boundaries.push_back(make_wall<1>(NoSlip{}, 0, side));
     }

@@ -46,6 +46,31 @@ TEST(ElasticBar, FollowsTheRecursionOfItsStepUnderEveryScheme) {  // Eq. (M85)
   }
 }
 
+TEST(ElasticBar, FollowsTheRecursionOfItsStepInEveryOrderAndFiltered) {  // Eqs. (M126)-(M128), (M130)
+  constexpr int num_steps = 200;
+  const auto expect_recursion = [](const BarWave& wave) {
+    WaveRecursion exact{wave};
+    BarInTheMesh bar{wave};
+    for (int n = 0; n < num_steps; ++n) {
+      exact.advance();
+      bar.advance();
+    }
+    const double tolerance = num_steps * (BarWave::velocity + 8 * round_off / BarWave::velocity);  // as above
+    bar.for_each_point([&](double x, double v) { EXPECT_NEAR(v, exact.velocity_at(x), tolerance); });
+  };
+  for (const AnyShape& shape : every<AnyShape>()) {
+    for (const Order order : {Order::musl, Order::usf}) {
+      expect_recursion({shape, Apic{}, 12, 2, 0.4, order});
+      expect_recursion({shape, PicFlip{0.9}, 12, 2, 0.4, order});
+    }
+    for (const int xpic_order : {1, 2, 5}) {
+      for (const Order order : {Order::usl, Order::musl, Order::usf}) {
+        expect_recursion({shape, PicFlip{1}, 12, 2, 0.4, order, xpic_order});
+      }
+    }
+  }
+}
+
 /// Angular frequency of a wave over that of theory, from the time of its last of `num_zeros` zeros [-].
 double frequency(const BarWave& wave, int num_zeros) {
   BarInTheMesh bar{wave};
@@ -104,8 +129,9 @@ struct LongRun {
   [[nodiscard]] double omega_dt() const { return kh * courant; }
   [[nodiscard]] double num_steps() const { return num_periods * 2 * std::numbers::pi / omega_dt(); }
   /// -log of the energy left [-].
-  [[nodiscard]] double loss(const AnyShape& shape, const AnyTransfer& rule) const {
-    return -std::log(energy_left({shape, rule, 10, 1, courant}, num_periods));
+  [[nodiscard]] double loss(const AnyShape& shape, const AnyTransfer& rule, Order order = Order::usl,
+                            int xpic_order = 0) const {
+    return -std::log(energy_left({shape, rule, 10, 1, courant, order, xpic_order}, num_periods));
   }
   /// Of a predicted loss: the next order, and one period of twenty, as its peak may be anywhere in it. And
   /// the start, which nodes see less of than points by M k^2/2.
@@ -127,6 +153,41 @@ TEST(StressLast, TakesEnergyOutOfFlipAtAPredictedRate) {  // Eq. (M87)
           moment * LongRun::kh * LongRun::kh * run.omega_dt() * run.omega_dt() * run.num_steps();
 
       EXPECT_NEAR(run.loss(shape, PicFlip{1}), predicted, LongRun::tolerance(predicted));
+    }
+  }
+}
+
+TEST(StressByMappedVelocities, LeavesFlipItsEnergy) {  // Eq. (M133)
+  // Points are strained by what they feel: the step is that of a spring with masses 1/P times the nodes'.
+  for (const AnyShape& shape : every<AnyShape>()) {
+    for (const Order order : {Order::musl, Order::usf}) {
+      for (const double courant : {0.1, 0.2, 0.4}) {
+        EXPECT_NEAR(LongRun{courant}.loss(shape, PicFlip{1}, order), 0, LongRun::tolerance(0));
+      }
+    }
+  }
+}
+
+TEST(StressByMappedVelocities, IsNoRemedyForApic) {  // Eq. (M88), which is the filter's own, in any order
+  const LongRun run{0.2};
+  for (const Order order : {Order::musl, Order::usf}) {
+    const double loss = run.loss(Quadratic{}, Apic{}, order);
+
+    EXPECT_NEAR(loss, run.loss(Quadratic{}, Apic{}), LongRun::tolerance(loss));
+  }
+}
+
+TEST(Xpic, LosesAWaveByItsOrderAsAPower) {  // Eq. (M133): (1 - P)^m of the energy in each step
+  constexpr double moment = 1.0 / 4;
+  constexpr double unseen = moment * LongRun::kh * LongRun::kh;  // 1 - P
+  for (const int order : {2, 3, 4}) {
+    for (const double courant : {0.1, 0.4}) {
+      const LongRun run{courant};
+      const double predicted = std::pow(unseen, order) * run.num_steps();
+
+      // Each factor 1 - P has its own next order, (k h)^2/6 and less.
+      const double tolerance = LongRun::tolerance(predicted) + order * predicted * LongRun::kh * LongRun::kh;
+      EXPECT_NEAR(run.loss(Quadratic{}, PicFlip{1}, Order::usf, order), predicted, tolerance);
     }
   }
 }

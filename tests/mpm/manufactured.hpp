@@ -164,6 +164,7 @@ class BodyForceOf final : public Boundary<2> {
       }
     }
   }
+  void hold_mapped(Nodes<2>& /*nodes*/, double /*dt*/) const noexcept override {}
   void reflect(Nodes<2>& /*nodes*/) const noexcept override {}
 
  private:

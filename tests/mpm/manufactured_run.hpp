@@ -11,6 +11,13 @@
 
 namespace scree::mpm {
 
+/// What a step does beside its own passes.
+struct Extras {
+  Order order = Order::usl;
+  Averaging averaging = {};
+  int xpic_order = 0;
+};
+
 /// Half a swing of the unit square under a manufactured motion, points at their exact places at first. Points
 /// have the velocity of half a step before and the deformation gradient of a whole step before, so that the
 /// step, which updates stress, velocity and places in this order, is centred.
@@ -18,7 +25,8 @@ template <class Motion>
 class ManufacturedRun {
  public:
   /// @param num_cells along each axis, with 2 x 2 points each
-  ManufacturedRun(const Motion& motion, Index num_cells, const AnyShape& shape, const AnyTransfer& rule)
+  ManufacturedRun(const Motion& motion, Index num_cells, const AnyShape& shape, const AnyTransfer& rule,
+                  const Extras& extras = {})
       : motion_{motion},
         num_steps_{static_cast<int>(
             std::ceil(duration * rubber.wave_speed() * static_cast<double>(num_cells) / courant))},
@@ -27,6 +35,9 @@ class ManufacturedRun {
     auto particles = filled<2>(grid, 2, rubber.density);
     stages_.stress = std::make_unique<StressUpdateBy<2, 2, NeoHookean>>(rubber, particles);
     stages_.transfer = make_transfer<2, 2>(shape, rule);
+    stages_.order = extras.order;
+    stages_.averaging = extras.averaging;
+    if (extras.xpic_order > 0) stages_.xpic = make_xpic<2, 2>(shape, extras.xpic_order);
     stages_.boundaries.push_back(std::make_unique<BodyForceOf<Motion>>(motion, time_));
     for (int axis = 0; axis < 2; ++axis) {
       for (const Side side : {Side::low, Side::high}) {
@@ -66,13 +77,16 @@ class ManufacturedRun {
       const Matrix<2> before = motion_.gradient(X, -dt_);
       const Matrix<2> now = motion_.gradient(X, 0);
       const Matrix<2> L = (now - before) / dt_ * before.inverse();
-      particles.density.component(0)[p] /= now.determinant();
+      // Stress that has a pass of its own comes last, if not first: what F and density are strained by, when.
+      const bool is_last = stages_.order == Order::musl || stages_.averaging.is_on();
+      const Matrix<2>& first = is_last ? now : before;
+      particles.density.component(0)[p] /= (stages_.order == Order::usf ? before : now).determinant();
       for (int i = 0; i < 2; ++i) {
         particles.position.component(i)[p] = x[i];
         particles.velocity.component(i)[p] = velocity[i];
         for (int j = 0; j < 2; ++j) {
           particles.velocity_gradient.component(i + 2 * j)[p] = L(i, j);
-          particles.column(static_cast<std::size_t>(2 * i + j)).component(0)[p] = before(i, j);
+          particles.column(static_cast<std::size_t>(2 * i + j)).component(0)[p] = first(i, j);
         }
       }
     }
@@ -102,10 +116,11 @@ class ManufacturedRun {
 template <std::size_t num_meshes, class Motion>
 [[nodiscard]] std::array<double, num_meshes> manufactured_errors(const Motion& motion, Index coarsest,
                                                                  const AnyShape& shape,
-                                                                 const AnyTransfer& rule) {
+                                                                 const AnyTransfer& rule,
+                                                                 const Extras& extras = {}) {
   std::array<double, num_meshes> errors{};
   for (std::size_t i = 0; i < num_meshes; ++i) {
-    errors[i] = ManufacturedRun<Motion>{motion, coarsest << i, shape, rule}.error();
+    errors[i] = ManufacturedRun<Motion>{motion, coarsest << i, shape, rule, extras}.error();
   }
   return errors;
 }

@@ -1,29 +1,17 @@
+#include "extra_passes.hpp"
 #include "instances.hpp"
 #include "point_text.hpp"
+#include "step_phases.hpp"
 
 #include <scree/mpm/cell_sort.hpp>
 #include <scree/mpm/step.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <sstream>
 
 namespace scree::mpm {
 
 namespace {
-
-/// Adds the time between its birth and its end to a sum.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& sum) : sum_{sum} {}
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-  ~Stopwatch() { sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
-
- private:
-  double& sum_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Readies all that depends on where the blocks are.
 template <int D, int V>
@@ -42,40 +30,9 @@ void use_blocks(State<D, V>& state, const Stages<D, V>& stages) {
 
 template <int D, int V>
 void sort(State<D, V>& state, const Stages<D, V>& stages, Threads threads) {
-  const Stopwatch watch{state.seconds.sort};
+  const detail::Stopwatch watch{state.seconds.sort};
   state.blocks = cell_sort(state.particles, state.nodes.grid(), stages.transfer->stencil_shift(), threads);
   use_blocks(state, stages);
-}
-
-template <int D, int V>
-void scatter(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
-  const Stopwatch watch{state.seconds.scatter};
-  state.nodes.clear();
-  state.blocks.for_each_coloured(threads, [&](Index b) {
-    const ParticleBlock<D>& block = state.blocks.blocks[static_cast<std::size_t>(b)];
-    state.block_results[static_cast<std::size_t>(b)].stiffness =
-        stages.stress->apply(state.particles, block, dt);
-    stages.transfer->scatter(state.particles, block, state.nodes, dt);
-  });
-}
-
-template <int D, int V>
-void move_nodes(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
-  const Stopwatch watch{state.seconds.nodes};
-  for (const auto& boundary : stages.boundaries) boundary->fold(state.nodes);
-  advance_momentum(state.nodes, stages.gravity.data(), dt, state.mass_floor, threads);
-  for (const auto& boundary : stages.boundaries) boundary->hold(state.nodes, dt);
-  if (stages.node_solve) stages.node_solve->solve(state.particles, state.nodes, dt, state.mass_floor);
-  for (const auto& boundary : stages.boundaries) boundary->reflect(state.nodes);
-}
-
-template <int D, int V>
-void gather(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
-  const Stopwatch watch{state.seconds.gather};
-  state.blocks.for_each(threads, [&](Index b) {
-    state.block_results[static_cast<std::size_t>(b)].motion = stages.transfer->gather(
-        state.particles, state.blocks.blocks[static_cast<std::size_t>(b)], state.nodes, dt);
-  });
 }
 
 /// Deals with the points outside the mesh; those that are to stop the run are found by the sorting that
@@ -125,10 +82,16 @@ template <int D, int V>
 State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const Stages<D, V>& stages,
                   Threads threads) {
   require(particles.size() > 0, "a run needs at least one material point");
+  require(stages.xpic.order == 0 || stages.transfer->record().has_increment,
+          "xpic filters the velocities of points that take increments: its transfer must be pic_flip");
   State<D, V> state{std::move(particles), Nodes<D>{grid, stages.transfer->record()}};
   const auto masses = state.particles.mass.values();
   state.mass_floor = stages.mass_floor * *std::max_element(masses.begin(), masses.end());
   sort(state, stages, threads);
+  if (detail::has_stress_pass(stages) && stages.order != Order::usf) {
+    detail::prepare(state, stages);
+    detail::update_stress(state, stages, 0, threads);  // what the first forces are
+  }
   const BlockStiffness stiffness = stages.stress->stiffness(state.particles);
   state.rates.wave_speed = stiffness.wave_speed;
   state.rates.kinematic_viscosity = stiffness.kinematic_viscosity;
@@ -151,10 +114,23 @@ void resume(State<D, V>& state, const Stages<D, V>& stages) {
 
 template <int D, int V>
 void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
-  scatter(state, stages, dt, threads);
+  const bool has_stress_pass = detail::has_stress_pass(stages);
+  detail::prepare(state, stages);
+  if (stages.xpic.order > 0) detail::find_filtered(state, stages, dt, threads);
+  if (stages.order == Order::usf) detail::update_stress(state, stages, dt, threads);
+  detail::scatter(state, stages, dt, threads);
   require_solved(state, stages);
-  move_nodes(state, stages, dt, threads);
-  gather(state, stages, dt, threads);
+  detail::move_nodes(state, stages, dt, threads);
+  if (has_stress_pass) {
+    detail::gather_beside_stress(state, stages, dt, threads);
+  } else {
+    detail::gather(state, stages, dt, threads);
+  }
+  if (stages.xpic.order > 0) detail::filter(state);
+  if (has_stress_pass && stages.order != Order::usf) {
+    detail::update_stress_last(state, stages, dt, threads);
+    require_solved(state, stages);
+  }
   for (const auto& boundary : stages.boundaries) boundary->advance(dt);
   reduce(state);
   if (!state.needs_sort) return;

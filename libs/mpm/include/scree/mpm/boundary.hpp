@@ -17,6 +17,9 @@ class Boundary {
   virtual void fold(Nodes<D>& nodes) const noexcept = 0;
   /// After it: sets the velocities that the boundary prescribes.  @param dt the step [s]
   virtual void hold(Nodes<D>& nodes, double dt) const noexcept = 0;
+  /// `hold` for velocities that are only mapped to the nodes, while no force acts: what gives a force instead
+  /// of a velocity leaves them alone.  Eqs. (M126), (M130)
+  virtual void hold_mapped(Nodes<D>& nodes, double dt) const noexcept { hold(nodes, dt); }
   /// When all boundaries hold: sets the velocities of nodes outside.
   virtual void reflect(Nodes<D>& nodes) const noexcept = 0;
   /// At the end of the step: a boundary that moves goes on by dt [s].

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <scree/mpm/boundaries.hpp>
+#include <scree/mpm/cell_means.hpp>
 #include <scree/mpm/leaving.hpp>
 #include <scree/mpm/node_solve.hpp>
+#include <scree/mpm/order.hpp>
 #include <scree/mpm/stress_update.hpp>
 #include <scree/mpm/time_step.hpp>
 #include <scree/mpm/transfer.hpp>
+#include <scree/mpm/xpic.hpp>
 
 #include <array>
 #include <memory>
@@ -26,6 +29,9 @@ struct Stages {
   /// force over next to no mass.  [-], Eq. (M20)
   double mass_floor = 1e-10;
   Leaving leaving = Leaving::stop;  ///< what happens to points that leave the mesh
+  Order order = Order::usl;         ///< when stress is brought up to date; usl alone takes no extra pass
+  Averaging averaging;              ///< over cells, against locking and noise; takes a pass over the points
+  Xpic<D, V> xpic;                  ///< filter of velocities; takes a pass for each order
 };
 
 /// Wall-clock time spent in each phase of the steps so far [s].
@@ -42,6 +48,17 @@ struct BlockResult {
   BlockMotion motion;
 };
 
+/// Copies of columns that extra passes change and give back, and what they hand on within a step; empty where
+/// no stage asks for them.
+struct Spare {
+  std::vector<double> position;           ///< [m]
+  std::vector<double> velocity;           ///< [m/s]
+  std::vector<double> velocity_gradient;  ///< [1/s]
+  std::vector<double> density;            ///< [kg/m^3]
+  std::vector<double> smooth;             ///< velocity, smoothed once [m/s]
+  std::vector<double> filtered;           ///< change of velocity by the filter [m/s]
+};
+
 /// Everything that changes in a step.
 template <int D, int V>
 struct State {
@@ -56,11 +73,14 @@ struct State {
   bool needs_sort = true;                  ///< a point has left the reach of its block
   double mass_floor = 0;                   ///< [kg]
   Left<V> absorbed;                        ///< what has left the mesh so far
+  Spare spare;
+  CellMeans<D> means;
   PhaseSeconds seconds;
 };
 
 /// Sorts new points, and finds what bounds the first step.
 /// @throws RunError naming a point outside the mesh.
+/// @throws InputError if there is no point, or the filter of velocities does not suit the transfer.
 template <int D, int V>
 [[nodiscard]] State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid,
                                 const Stages<D, V>& stages, Threads threads);
@@ -71,9 +91,10 @@ template <int D, int V>
 void resume(State<D, V>& state, const Stages<D, V>& stages);
 
 /// Advances all points by dt: stress first, with the velocity gradient of the last step, then momentum, then
-/// positions.  @see Eqs. (M1)-(M13), the algorithm of docs/equations/mpm.md
+/// positions; in another order if told.  @see Eqs. (M1)-(M13), (M126)-(M132), the algorithm of
+/// docs/equations/mpm.md
 /// @throws RunError naming a point that has left the mesh (if that is to stop the run), has no finite
-/// position, or whose law was not solved; in that case no point has moved.
+/// position, or whose law was not solved; in that case no point has moved, unless stress comes last.
 template <int D, int V>
 void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads);
 

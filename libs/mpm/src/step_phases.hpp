@@ -1,0 +1,84 @@
+#pragma once
+
+#include <scree/mpm/step.hpp>
+
+#include <chrono>
+
+/// The phases that steps of every order are made of.
+namespace scree::mpm::detail {
+
+/// Adds the time between its birth and its end to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_{sum} {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() { sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Whether stress has a pass of its own: else it is brought up to date while its block goes to the nodes.
+template <int D, int V>
+[[nodiscard]] bool has_stress_pass(const Stages<D, V>& stages) noexcept {
+  return stages.order != Order::usl || stages.averaging.is_on();
+}
+
+/// Points to nodes; the law on the way, unless it has had its pass.
+template <int D, int V>
+void scatter(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
+  const Stopwatch watch{state.seconds.scatter};
+  const bool by_the_way = !has_stress_pass(stages);
+  state.nodes.clear();
+  state.blocks.for_each_coloured(threads, [&](Index b) {
+    const ParticleBlock<D>& block = state.blocks.blocks[static_cast<std::size_t>(b)];
+    if (by_the_way) {
+      state.block_results[static_cast<std::size_t>(b)].stiffness =
+          stages.stress->apply(state.particles, block, dt);
+    }
+    stages.transfer->scatter(state.particles, block, state.nodes, dt);
+  });
+}
+
+template <int D, int V>
+void move_nodes(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
+  const Stopwatch watch{state.seconds.nodes};
+  for (const auto& boundary : stages.boundaries) boundary->fold(state.nodes);
+  advance_momentum(state.nodes, stages.gravity.data(), dt, state.mass_floor, threads);
+  for (const auto& boundary : stages.boundaries) boundary->hold(state.nodes, dt);
+  if (stages.node_solve) stages.node_solve->solve(state.particles, state.nodes, dt, state.mass_floor);
+  for (const auto& boundary : stages.boundaries) boundary->reflect(state.nodes);
+}
+
+template <int D, int V>
+void gather(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
+  const Stopwatch watch{state.seconds.gather};
+  state.blocks.for_each(threads, [&](Index b) {
+    state.block_results[static_cast<std::size_t>(b)].motion = stages.transfer->gather(
+        state.particles, state.blocks.blocks[static_cast<std::size_t>(b)], state.nodes, dt);
+  });
+}
+
+/// Gives points the velocity and its gradient that the nodes have by the points' momentum as it is: no force
+/// acts and nothing moves, but walls hold.  @param dt of the step, for what walls hold by it [s]
+template <int D, int V>
+void map_to_nodes_and_back(State<D, V>& state, const Stages<D, V>& stages, const Transfer<D, V>& transfer,
+                           double dt, Threads threads) {
+  constexpr std::array<double, V> no_gravity{};
+  state.nodes.clear();
+  state.blocks.for_each_coloured(threads, [&](Index b) {
+    transfer.scatter(state.particles, state.blocks.blocks[static_cast<std::size_t>(b)], state.nodes, 0);
+  });
+  for (const auto& boundary : stages.boundaries) boundary->fold(state.nodes);
+  advance_momentum(state.nodes, no_gravity.data(), 0, state.mass_floor, threads);
+  for (const auto& boundary : stages.boundaries) boundary->hold_mapped(state.nodes, dt);
+  for (const auto& boundary : stages.boundaries) boundary->reflect(state.nodes);
+  state.blocks.for_each(threads, [&](Index b) {
+    static_cast<void>(
+        transfer.gather(state.particles, state.blocks.blocks[static_cast<std::size_t>(b)], state.nodes, 0));
+  });
+}
+
+}  // namespace scree::mpm::detail
