@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <utility>
 
 namespace scree::app {
@@ -89,6 +91,20 @@ template <int D>
   }
 }
 
+/// Friction of the ground at each place [-]; NaN where no map tells it.
+template <int D>
+[[nodiscard]] std::function<double(const Vector<D>&)> friction_of(const TerrainScene& terrain) {
+  if constexpr (D == 3) {
+    if (terrain.friction) {
+      const mpm::MapField<2> map = mpm::map_field(terrain.friction->heights);
+      return [map, origin = terrain.friction->place.origin](const Vector<3>& x) {
+        return map(Vector<2>{origin[0] + x[0], origin[1] + x[2]}).value;
+      };
+    }
+  }
+  return [](const Vector<D>&) { return std::numeric_limits<double>::quiet_NaN(); };
+}
+
 /// Material that leaves through one end of a periodic axis comes back through the other, on the same ground.
 template <int D>
 void require_periodic(const mpm::AnySurface<D>& surface, const CartesianGrid<D>& grid) {
@@ -123,9 +139,11 @@ std::unique_ptr<mpm::Boundary<D>> make_terrain(const TerrainScene& terrain, cons
                                                const CartesianGrid<D>& grid) {
   require_periodic(surface, grid);
   return with_contact(terrain.contact, [&]<class Law>(const mpm::Contact<Law>& contact,
-                                                      const typename Law::template Input<double>& input) {
+                                                      const typename Law::template Input<double>& /*input*/) {
+    const auto friction_at = friction_of<D>(terrain);
     return mpm::make_bed<D, Law>(
-        contact, [&](const Vector<D>&) { return input; }, grid, surface);
+        contact, [&](const Vector<D>& x) { return input_of<Law>(terrain.contact.inputs, friction_at(x)); },
+        grid, surface);
   });
 }
 

@@ -31,9 +31,8 @@ using io::TomlTable;
 }  // namespace
 
 template <class Read>
-auto SceneFiles::read(const TomlTable& table, std::string_view meaning, const Read& read_file)
-    -> std::optional<decltype(read_file(std::filesystem::path{}))> {
-  constexpr std::string_view key = "file";
+auto SceneFiles::read(const TomlTable& table, std::string_view meaning, std::string_view key,
+                      const Read& read_file) -> std::optional<decltype(read_file(std::filesystem::path{}))> {
   const std::filesystem::path name = table.string(key, meaning);
   if (!table.is_sound(key)) return std::nullopt;
   table.check(!climbs(name), {key},
@@ -50,12 +49,14 @@ auto SceneFiles::read(const TomlTable& table, std::string_view meaning, const Re
   }
 }
 
-std::optional<Raster> SceneFiles::read_raster(const TomlTable& table, std::string_view meaning) {
-  return read(table, meaning, [](const std::filesystem::path& path) { return io::read_esri_ascii(path); });
+std::optional<Raster> SceneFiles::read_raster(const TomlTable& table, std::string_view meaning,
+                                              std::string_view key) {
+  return read(table, meaning, key,
+              [](const std::filesystem::path& path) { return io::read_esri_ascii(path); });
 }
 
 std::optional<TriangleMesh> SceneFiles::read_triangles(const TomlTable& table, std::string_view meaning) {
-  return read(table, meaning, [](const std::filesystem::path& path) { return io::read_stl(path); });
+  return read(table, meaning, "file", [](const std::filesystem::path& path) { return io::read_stl(path); });
 }
 
 MapPlace read_map_place(const TomlTable& table, const MapPlace& fallback) {

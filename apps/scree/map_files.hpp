@@ -18,7 +18,8 @@ class SceneFiles {
   explicit SceneFiles(std::filesystem::path folder) : folder_{std::move(folder)} {}
 
   /// A map in the ESRI ASCII format; nothing if the key or the file is at fault.
-  [[nodiscard]] std::optional<Raster> read_raster(const io::TomlTable& table, std::string_view meaning);
+  [[nodiscard]] std::optional<Raster> read_raster(const io::TomlTable& table, std::string_view meaning,
+                                                  std::string_view key = "file");
   /// A surface in the STL format; nothing if the key or the file is at fault.
   [[nodiscard]] std::optional<TriangleMesh> read_triangles(const io::TomlTable& table,
                                                            std::string_view meaning);
@@ -27,7 +28,8 @@ class SceneFiles {
 
  private:
   template <class Read>
-  [[nodiscard]] auto read(const io::TomlTable& table, std::string_view meaning, const Read& read_file)
+  [[nodiscard]] auto read(const io::TomlTable& table, std::string_view meaning, std::string_view key,
+                          const Read& read_file)
       -> std::optional<decltype(read_file(std::filesystem::path{}))>;
 
   std::filesystem::path folder_;

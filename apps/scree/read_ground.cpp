@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace scree::app {
@@ -55,6 +56,40 @@ void check_dimensions(const TomlTable& table, const Scene& scene, int needed) {
   map.heights = *std::move(raster);
   const std::string gap = gap_in_map(map, scene.mesh, false);
   table.check(gap.empty(), {"file", "origin"}, gap);
+  return map;
+}
+
+/// Whether the law of a contact reads a friction.
+[[nodiscard]] bool reads_friction(const ContactScene& contact) {
+  const auto* any_law = std::get_if<rheology::AnyWallLaw>(&contact.law);
+  if (any_law == nullptr) return false;
+  return std::visit(
+      [](const auto& law) {
+        return std::ranges::any_of(law.inputs, [](const InputColumn& one) { return one.name == "friction"; });
+      },
+      *any_law);
+}
+
+/// A map of friction, on the map of the ground; nothing if there is none, or it is faulty.
+[[nodiscard]] std::optional<RasterScene> read_friction_map(const TomlTable& table, const Scene& scene,
+                                                           const TerrainScene& terrain, SceneFiles& files) {
+  constexpr std::string_view key = "friction_file";
+  if (!table.has(key)) return std::nullopt;
+  const auto* ground = std::get_if<RasterScene>(&terrain.surface);
+  auto raster = files.read_raster(table, "map of friction in the ESRI ASCII format [-]", key);
+  if (!raster) return std::nullopt;
+  table.check(scene.mesh.dimensions == 3 && ground != nullptr, {key, "surface"},
+              "needs ground that is a map, surface = \"raster\"");
+  table.check(reads_friction(terrain.contact), {key, "contact"},
+              "needs a contact whose law reads a friction, as \"material_friction\" does");
+  for (const double value : raster->values) {
+    table.check(std::isnan(value) || value > 0, {key},
+                fmt::format("has a value of {:g}, and must exceed 0", value));
+  }
+  if (!table.is_sound(key) || ground == nullptr) return std::nullopt;
+  RasterScene map{*std::move(raster), ground->place};
+  const std::string gap = gap_in_map(map, scene.mesh, true);
+  table.check(gap.empty(), {key, "origin"}, gap);
   return map;
 }
 
@@ -147,6 +182,7 @@ TerrainScene read_terrain(const TomlTable& table, const Scene& scene, SceneFiles
     }
   }
   terrain.contact = read_contact(table, scene);
+  terrain.friction = read_friction_map(table, scene, terrain, files);
   return terrain;
 }
 

@@ -82,9 +82,9 @@ struct PlaneScene {
 struct ProfileScene {
   std::vector<double> heights;
 };
-/// A map of heights.
+/// A map of heights, or of what else is told of places.
 struct RasterScene {
-  Raster heights;  ///< [m]
+  Raster heights;  ///< [m], or the unit of what it is
   MapPlace place;
 };
 /// Triangles, in coordinates of a map.
@@ -97,6 +97,7 @@ struct TrianglesScene {
 struct TerrainScene {
   std::variant<PlaneScene, ProfileScene, RasterScene, TrianglesScene> surface;
   ContactScene contact;
+  std::optional<RasterScene> friction;  ///< that its law reads, where the map has a value [-]
 };
 
 struct BallScene {

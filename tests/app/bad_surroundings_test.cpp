@@ -46,9 +46,18 @@ TEST(BadTerrain, UnknownNameIsAnsweredWithTheKnownOnes) {
       message_on_map(tilted_with("\"raster\"", "\"map\"")),
       "scene.toml:13: [terrain] surface = \"map\": expected one of plane, profile, raster, stl (how the "
       "ground is given)\n"
-      "scene.toml:14: [terrain] file: unknown key, known here: surface, contact\n"
-      "scene.toml:15: [terrain] origin: unknown key, known here: surface, contact\n"
-      "scene.toml:16: [terrain] datum: unknown key, known here: surface, contact");
+      "scene.toml:14: [terrain] file: unknown key, known here: surface, contact, friction_file\n"
+      "scene.toml:15: [terrain] origin: unknown key, known here: surface, contact, friction_file\n"
+      "scene.toml:16: [terrain] datum: unknown key, known here: surface, contact, friction_file");
+}
+
+/// Of ground that is not known, the map of friction is not looked at.
+TEST(BadTerrain, UnknownNameIsTheOnlyFaultBesideAMapOfFriction) {
+  EXPECT_EQ(
+      message_on_map("[terrain]\nsurface = \"map\"\ncontact = {law = \"material_friction\", share = 1, "
+                     "friction = 0.5}\nfriction_file = \"friction.asc\"\n"),
+      "scene.toml:13: [terrain] surface = \"map\": expected one of plane, profile, raster, stl (how the "
+      "ground is given)");
 }
 
 TEST(BadTerrain, UnknownKeyIsNamed) {
@@ -100,6 +109,19 @@ TEST(BadTerrain, FaultsOfTheMapItselfAreShown) {
             place + "cellsize must be positive and finite");
   EXPECT_EQ(message_of_map("ncols 2\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n5\n"),
             place + "holds 1 values, and ncols x nrows is 2");
+}
+
+TEST(BadTerrain, MapOfFrictionIsOfPositiveNumbersForALawThatReadsThem) {
+  const std::string contact = "{law = \"material_friction\", share = 1, friction = 0.5}\n";
+  std::ofstream{folder_with_maps() / "smooth.asc"}
+      << "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n0\n";
+
+  EXPECT_EQ(message_on_map(tilted_with("\"slides\"\n", contact + "friction_file = \"smooth.asc\"\n")),
+            "scene.toml:18: [terrain] friction_file = \"smooth.asc\": has a value of 0, and must exceed 0");
+  EXPECT_EQ(message_on_map(tilted_ground + "friction_file = \"friction.asc\"\n"),
+            "scene.toml:18: [terrain] friction_file = \"friction.asc\": needs a contact whose law reads a "
+            "friction, "
+            "as \"material_friction\" does");
 }
 
 TEST(BadTerrain, FrictionWithoutParametersIsShownItsTable) {

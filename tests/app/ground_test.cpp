@@ -5,6 +5,8 @@
 #include "scree/run.hpp"
 #include "surroundings.hpp"
 
+#include <scree/mpm/terrain/bed_nodes.hpp>
+
 #include <cmath>
 #include <numbers>
 
@@ -62,6 +64,35 @@ TEST(TerrainScene, GoesOnLevelBeyondTheMesh) {
 
   EXPECT_EQ(ground({2.25, 0.5, 0.5}).distance, ground({2, 0.5, 0.5}).distance);
   EXPECT_EQ(ground({0.5, 0.5, -0.25}).distance, ground({0.5, 0.5, 0}).distance);
+}
+
+/// Every node on the ground is left 1 - mu of a speed of 1 along it, as it comes down as fast; mu is that of
+/// the map, 0.075 + 0.1 x + 0.2 z, and the contact's own in and beside the cell without data.
+TEST(TerrainScene, TakesItsFrictionFromAMap) {
+  std::string terrain = tilted_ground;
+  const std::string contact = "contact = {law = \"material_friction\", share = 1, friction = 0.5}\n";
+  terrain.replace(terrain.find("contact"), std::string::npos, contact + "friction_file = \"friction.asc\"\n");
+  const Scene scene = read_on_map(terrain, small_box);
+  const CartesianGrid<3> grid{Vector<3>::Zero(), Vector<3>::Constant(0.25), {8, 4, 6}, {}};
+  const mpm::AnySurface<3> level = mpm::PlaneSurface<3>{Vector<3>{0, 0.25, 0}, Vector<3>::Unit(1)};
+  mpm::Nodes<3> nodes{grid, {.num_velocities = 3, .has_increment = false}};
+  for (const mpm::BedNode& bed : mpm::bed_nodes(grid, level)) {
+    nodes[bed.node][mpm::NodeRecord::mass] = 1;
+    nodes[bed.node][mpm::NodeRecord::momentum] = 1;
+    nodes[bed.node][mpm::NodeRecord::momentum + 1] = -1;
+  }
+
+  make_terrain<3>(*scene.terrain, level, grid)->hold(nodes, 1e-3);
+
+  for (const mpm::BedNode& bed : mpm::bed_nodes(grid, level)) {
+    const Vector<3> x = mpm::node_position(nodes, bed.node);
+    const bool is_inside =
+        0 < x[0] && x[0] < 2 && 0 < x[2] && x[2] < 1.5;  // images and the rim are the walls'
+    const bool has_data = !(x[0] >= 1.25 && x[2] >= 0.75);
+    if (!is_inside) continue;
+    const double friction = has_data ? 0.075 + 0.1 * x[0] + 0.2 * x[2] : 0.5;
+    EXPECT_NEAR(nodes[bed.node][mpm::NodeRecord::momentum], 1 - friction, 10 * 2 * 100 * round_off);
+  }
 }
 
 TEST(TerrainScene, ProfileGoesFromEndToEnd) {

@@ -12,7 +12,8 @@ namespace scree::app::testing {
 
 /// A folder with a map of 4 x 3 cells of 0.5 m whose values rise by 0.1 to the east and 0.2 to the north,
 /// from 10.15 at the centre of its south-western cell, at (100.25, 50.25) m; a map without data in its
-/// north-eastern cell; and one of depths, 0.3 everywhere.
+/// north-eastern cell; one of the same slope from 0.15 on, for
+/// friction, without data there; and one of depths, 0.3 everywhere.
 [[nodiscard]] inline std::filesystem::path folder_with_maps() {
   const auto folder = std::filesystem::path{::testing::TempDir()} / "scree_maps";
   std::filesystem::create_directories(folder);
@@ -20,6 +21,9 @@ namespace scree::app::testing {
   const std::string south = "10.25 10.3 10.35 10.4\n10.15 10.2 10.25 10.3\n";
   std::ofstream{folder / "tilted.asc"} << header << "10.35 10.4 10.45 10.5\n" << south;
   std::ofstream{folder / "holed.asc"} << header << "nodata_value -1\n10.35 10.4 10.45 -1\n" << south;
+  std::ofstream{folder / "friction.asc"} << header
+                                         << "nodata_value -1\n0.35 0.4 0.45 -1\n0.25 0.3 0.35 0.4\n"
+                                            "0.15 0.2 0.25 0.3\n";
   std::ofstream{folder / "depths.asc"} << header << "0.3 0.3 0.3 0.3\n0.3 0.3 0.3 0.3\n0.3 0.3 0.3 0.3\n";
   return folder;
 }
