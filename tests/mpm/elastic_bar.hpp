@@ -124,8 +124,8 @@ class WaveRecursion {
           using Shape = decltype(shape);
           const double base = std::floor(place - Shape::shift);
           const double xi = place - base;
-          const auto weights = Shape::weights(xi);
-          const auto slopes = is_affine() ? Shape::affine(xi) : Shape::gradients(xi);
+          const auto weights = shape.weights(xi);
+          const auto slopes = is_affine() ? shape.affine(xi) : shape.gradients(xi);
           PointFamily result{};
           for (std::size_t j = 0; j < Shape::support; ++j) {
             const double distance = static_cast<double>(j) - xi;

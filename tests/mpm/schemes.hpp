@@ -69,4 +69,13 @@ template <class Variant>
   return detail::Entries<Variant>::all();
 }
 
+/// One of each shape, those whose boxes fill the cells made for so many points along each axis of a cell.
+[[nodiscard]] inline std::vector<AnyShape> every_shape_for(double points_per_axis) {
+  std::vector<AnyShape> shapes = every<AnyShape>();
+  for (AnyShape& shape : shapes) {
+    if (std::holds_alternative<Gimp>(shape)) shape = Gimp{points_per_axis};
+  }
+  return shapes;
+}
+
 }  // namespace scree::mpm

@@ -15,13 +15,14 @@ namespace {
 /// the mesh: block 0 starts there.
 template <int D>
 struct Numbering {
+  Index edge;  ///< of a block [cells]
   Indices<D> num_blocks{};
   Index cells_per_block = 1;
 
-  explicit Numbering(const CartesianGrid<D>& grid) {
+  Numbering(const CartesianGrid<D>& grid, Index block_edge) : edge{block_edge} {
     for (std::size_t axis = 0; axis < D; ++axis) {
-      num_blocks[axis] = (grid.num_cells()[axis] + 1 + block_edge<D> - 1) / block_edge<D>;
-      cells_per_block *= block_edge<D>;
+      num_blocks[axis] = (grid.num_cells()[axis] + 1 + edge - 1) / edge;
+      cells_per_block *= edge;
     }
   }
   [[nodiscard]] Index num_keys() const {
@@ -34,15 +35,15 @@ struct Numbering {
     Index cell = 0;
     for (std::size_t axis = D; axis-- > 0;) {
       const Index shifted = base[axis] + 1;
-      block = block * num_blocks[axis] + shifted / block_edge<D>;
-      cell = cell * block_edge<D> + shifted % block_edge<D>;
+      block = block * num_blocks[axis] + shifted / edge;
+      cell = cell * edge + shifted % edge;
     }
     return block * cells_per_block + cell;
   }
   [[nodiscard]] Indices<D> first_cell(Index block) const {
     Indices<D> cell{};
     for (std::size_t axis = 0; axis < D; ++axis) {
-      cell[axis] = (block % num_blocks[axis]) * block_edge<D> - 1;
+      cell[axis] = (block % num_blocks[axis]) * edge - 1;
       block /= num_blocks[axis];
     }
     return cell;
@@ -110,6 +111,7 @@ template <int D>
     if (key >= 0) ++next[static_cast<std::size_t>(key)];
   }
   Order<D> order;
+  order.blocks.edge = numbering.edge;
   Index place = 0;
   for (Index first = 0; first < numbering.num_keys(); first += numbering.cells_per_block) {
     const Index begin = place;
@@ -138,14 +140,14 @@ template <int D>
 
 template <int D>
 void colour_blocks(ParticleBlocks<D>& blocks, const CartesianGrid<D>& grid) {
-  const Numbering<D> numbering{grid};
+  const Numbering<D> numbering{grid, blocks.edge};
   Index num_colours = 1;
   for (int axis = 0; axis < D; ++axis) num_colours *= 4;
   blocks.colours.assign(static_cast<std::size_t>(num_colours), {});
   for (std::size_t b = 0; b < blocks.blocks.size(); ++b) {
     Index colour = 0;
     for (std::size_t axis = D; axis-- > 0;) {
-      const Index place = (blocks.blocks[b].first_cell[axis] + 1) / block_edge<D>;
+      const Index place = (blocks.blocks[b].first_cell[axis] + 1) / blocks.edge;
       const Index to_last = numbering.num_blocks[axis] - 1 - place;
       // Round a periodic axis the last two blocks also meet the first ones: they stand alone.
       const bool meets_first = grid.is_periodic()[axis] && place > 0 && to_last <= 1;
@@ -158,8 +160,8 @@ void colour_blocks(ParticleBlocks<D>& blocks, const CartesianGrid<D>& grid) {
 
 template <int D, int V>
 ParticleBlocks<D> cell_sort(Particles<D, V>& particles, const CartesianGrid<D>& grid, double stencil_shift,
-                            Threads threads) {
-  const Numbering<D> numbering{grid};
+                            Threads threads, Index edge) {
+  const Numbering<D> numbering{grid, edge};
   Order<D> order = order_by(keys_of(particles, grid, stencil_shift, numbering), numbering);
   std::vector<Column*> columns;
   particles.for_each_column([&](Column& column) { columns.push_back(&column); });
@@ -171,7 +173,7 @@ ParticleBlocks<D> cell_sort(Particles<D, V>& particles, const CartesianGrid<D>& 
 }
 
 #define SCREE_INSTANCE(D, V) \
-  template ParticleBlocks<D> cell_sort(Particles<D, V>&, const CartesianGrid<D>&, double, Threads);
+  template ParticleBlocks<D> cell_sort(Particles<D, V>&, const CartesianGrid<D>&, double, Threads, Index);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
 template void colour_blocks(ParticleBlocks<1>&, const CartesianGrid<1>&);

@@ -31,7 +31,8 @@ void use_blocks(State<D, V>& state, const Stages<D, V>& stages) {
 template <int D, int V>
 void sort(State<D, V>& state, const Stages<D, V>& stages, Threads threads) {
   const detail::Stopwatch watch{state.seconds.sort};
-  state.blocks = cell_sort(state.particles, state.nodes.grid(), stages.transfer->stencil_shift(), threads);
+  state.blocks = cell_sort(state.particles, state.nodes.grid(), stages.transfer->stencil_shift(), threads,
+                           stages.transfer->sort_edge());
   use_blocks(state, stages);
 }
 

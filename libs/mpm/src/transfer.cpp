@@ -28,14 +28,17 @@ class TransferBy final : public Transfer<D, V> {
   TransferBy(const AnyShape& shape, const AnyTransfer& rule, InstructionSet set)
       : shape_{shape}, rule_{rule}, kernels_{kernels_for<D, V>(set, shape.index(), rule.index())} {
     support_ = std::visit([](const auto& s) { return s.support; }, shape);
+    sort_edge_ =
+        std::visit([](const auto& s) { return block_edge<D, std::decay_t<decltype(s)>::support>; }, shape);
     shift_ = std::visit([](const auto& s) { return s.shift; }, shape);
     record_ = {V, std::visit([](const auto& r) { return r.has_increment; }, rule)};
   }
 
   [[nodiscard]] NodeRecord record() const noexcept override { return record_; }
   [[nodiscard]] double stencil_shift() const noexcept override { return shift_; }
+  [[nodiscard]] Index sort_edge() const noexcept override { return sort_edge_; }
   [[nodiscard]] Index tile_edge() const noexcept override {
-    return block_edge<D> + static_cast<Index>(support_) + 1;
+    return sort_edge_ + static_cast<Index>(support_) + 1;
   }
 
   void scatter(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
@@ -64,8 +67,8 @@ class TransferBy final : public Transfer<D, V> {
             .end = block.end};
   }
 
-  [[nodiscard]] static BlockPlace<D> place_of(const ParticleBlock<D>& block,
-                                              const CartesianGrid<D>& grid) noexcept {
+  [[nodiscard]] BlockPlace<D> place_of(const ParticleBlock<D>& block,
+                                       const CartesianGrid<D>& grid) const noexcept {
     BlockPlace<D> place;
     place.low.fill(-std::numeric_limits<double>::infinity());
     place.high.fill(std::numeric_limits<double>::infinity());
@@ -74,7 +77,7 @@ class TransferBy final : public Transfer<D, V> {
       place.origin[axis] = grid.origin()[a];
       place.inverse_spacing[axis] = 1 / grid.spacing()[a];
       place.first_base[axis] = static_cast<double>(block.first_cell[axis] - 1);
-      place.beyond_base[axis] = static_cast<double>(block.first_cell[axis] + block_edge<D> + 1);
+      place.beyond_base[axis] = static_cast<double>(block.first_cell[axis] + sort_edge_ + 1);
       if (grid.is_periodic()[axis]) continue;
       place.low[axis] = grid.origin()[a];
       place.high[axis] = grid.origin()[a] + grid.length(a);
@@ -101,6 +104,7 @@ class TransferBy final : public Transfer<D, V> {
   AnyTransfer rule_;
   TransferKernels<D, V> kernels_;
   std::size_t support_;
+  Index sort_edge_;
   double shift_;
   NodeRecord record_;
 };

@@ -8,10 +8,13 @@
 /// its own.
 namespace scree::mpm {
 
-/// The sites that a block's points can reach, as far as the nodes of a shape of so many: mesh cells as far as
-/// those of two, whichever shape the points are sorted by.
+/// The sites that a block's points can reach, as TileShape has nodes: mesh cells, of which each point has one,
+/// as far as points go in the blocks of any shape.
 template <int D, std::size_t S>
-using SiteTile = TileShape<D, S == 1 ? 2 : S>;
+struct SiteTile {
+  static constexpr Index edge = S == 1 ? block_edge<D, max_support> + 3 : TileShape<D, S>::edge;
+  static constexpr Index num_sites = D == 1 ? edge : D == 2 ? edge * edge : edge * edge * edge;
+};
 
 /// The points of a block and where their sites are.
 template <int D>

@@ -28,12 +28,20 @@ struct SiteStencil {
   static constexpr Index edge = SiteTile<D, S>::edge;
   static constexpr std::size_t num_sites = D == 1 ? S : D == 2 ? S * S : S * S * S;
 
-  /// Of site n, from the first.
-  [[nodiscard]] static constexpr Index offset(std::size_t n) noexcept {
-    Index result = 0;
-    Index step = 1;
-    for (int axis = 0; axis < D; ++axis, n /= S, step *= edge) result += static_cast<Index>(n % S) * step;
-    return result;
+  /// Of site (i, j, k), from the first.
+  [[nodiscard]] static constexpr Index offset(std::size_t i, std::size_t j, std::size_t k) noexcept {
+    return (static_cast<Index>(k) * edge + static_cast<Index>(j)) * edge + static_cast<Index>(i);
+  }
+
+  /// Calls body(number of a site, its place from the first) for all.
+  template <class Body>
+  static void for_each_site(Body&& body) noexcept {
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < (D > 2 ? S : 1); ++k) {
+      for (std::size_t j = 0; j < (D > 1 ? S : 1); ++j) {
+        for (std::size_t i = 0; i < S; ++i) body(n++, offset(i, j, k));
+      }
+    }
   }
 };
 
@@ -93,7 +101,7 @@ inline void for_each_alike(const Pack& first, Body&& body) noexcept {
 template <int D, std::size_t S, class Body>
 inline void for_each_site(const CarriedBlock<D>& block, Body&& body) noexcept {
   constexpr Index edge = SiteTile<D, S>::edge;
-  for (Index row = 0; row < SiteTile<D, S>::num_nodes / edge; ++row) {
+  for (Index row = 0; row < SiteTile<D, S>::num_sites / edge; ++row) {
     Index start = 0;
     bool exists = true;
     Index rest = row;
@@ -122,25 +130,27 @@ inline void add_to_sums(const CarriedBlock<D>& block, const double* tile, const 
   });
 }
 
-/// Adds what points with one stencil give, a part of its sites at a time: those stay in registers.
+/// Adds what points with one stencil give, a plane of its sites at a time: those stay in registers.
 template <int D, std::size_t S>
 inline void add_alike(const PackSites<D, S>& sites, const double (&given)[Pack::size][4],
                       const AlikeLanes& alike, double* tile) noexcept {
   using Stencil = SiteStencil<D, S>;
-  constexpr std::size_t part = D == 1 ? S : S * S;
+  constexpr std::size_t in_plane = D == 1 ? S : S * S;
   double* first = tile + 4 * alike.place;
-#pragma GCC unroll 4
-  for (std::size_t begin = 0; begin < Stencil::num_sites; begin += part) {
-    Four sums[part];
+  for (std::size_t plane = 0; plane < Stencil::num_sites / in_plane; ++plane) {
+    const double(*weight)[Pack::size] = sites.weight + plane * in_plane;
+    double* at = first + 4 * Stencil::offset(0, 0, plane);
+    Four sums[in_plane];
 #pragma GCC unroll 16
-    for (std::size_t n = 0; n < part; ++n) sums[n] = Four::load(first + 4 * Stencil::offset(begin + n));
+    for (std::size_t n = 0; n < in_plane; ++n)
+      sums[n] = Four::load(at + 4 * Stencil::offset(n % S, n / S, 0));
     for (int lane = alike.begin; lane < alike.end; ++lane) {
       const Four values = Four::load(given[lane]);
 #pragma GCC unroll 16
-      for (std::size_t n = 0; n < part; ++n) sums[n] += sites.weight[begin + n][lane] * values;
+      for (std::size_t n = 0; n < in_plane; ++n) sums[n] += weight[n][lane] * values;
     }
 #pragma GCC unroll 16
-    for (std::size_t n = 0; n < part; ++n) sums[n].store(first + 4 * Stencil::offset(begin + n));
+    for (std::size_t n = 0; n < in_plane; ++n) sums[n].store(at + 4 * Stencil::offset(n % S, n / S, 0));
   }
 }
 
@@ -148,8 +158,8 @@ template <int D, class ShapeType>
 void to_sites(const AnyShape& any_shape, const CarriedBlock<D>& block, const FourSums& sums) noexcept {
   constexpr std::size_t S = ShapeType::support;
   const auto shape = the<ShapeType>(any_shape);
-  alignas(64) double tile[static_cast<std::size_t>(4 * SiteTile<D, S>::num_nodes)];
-  std::fill_n(tile, 4 * SiteTile<D, S>::num_nodes, 0.0);
+  alignas(64) double tile[static_cast<std::size_t>(4 * SiteTile<D, S>::num_sites)];
+  std::fill_n(tile, 4 * SiteTile<D, S>::num_sites, 0.0);
   PackSites<D, S> sites;
   alignas(64) double given[Pack::size][4];
   for (Index p = block.begin; p < block.end; p += Pack::size) {
@@ -184,11 +194,10 @@ inline void add_given(const PointChange& change, int first, AlikePoints<D, S>& p
   Pack phi[count];
   for (int k = 0; k < count; ++k)
     phi[k] = Pack::load(change.fractions + (first + k) * change.stride + points.p);
-#pragma GCC unroll 64
-  for (std::size_t n = 0; n < SiteStencil<D, S>::num_sites; ++n) {
-    const double* loss = change.records + points.record[SiteStencil<D, S>::offset(n)] + first;
+  SiteStencil<D, S>::for_each_site([&](std::size_t n, Index place) {
+    const double* loss = change.records + points.record[place] + first;
     for (int k = 0; k < count; ++k) points.given[n] = points.given[n] + phi[k] * loss[k];
-  }
+  });
 }
 
 /// Changes `count` classes of the points from `first` on.
@@ -197,16 +206,15 @@ inline void exchange(const PointChange& change, int first, const AlikePoints<D, 
   Pack taken[count];
   Pack lost[count];
   for (int k = 0; k < count; ++k) taken[k] = lost[k] = Pack{0};
-#pragma GCC unroll 64
-  for (std::size_t n = 0; n < SiteStencil<D, S>::num_sites; ++n) {
-    const double* loss = change.records + points.record[SiteStencil<D, S>::offset(n)] + first;
+  SiteStencil<D, S>::for_each_site([&](std::size_t n, Index place) {
+    const double* loss = change.records + points.record[place] + first;
     const double* gain = loss + change.num_classes;
     const Pack weight = Pack::load(points.sites.weight[n]);
     for (int k = 0; k < count; ++k) {
       taken[k] = taken[k] + points.given[n] * gain[k];
       lost[k] = lost[k] + weight * loss[k];
     }
-  }
+  });
   for (int k = 0; k < count; ++k) {
     double* column = change.fractions + (first + k) * change.stride + points.p;
     const Pack phi = Pack::load(column);
@@ -299,8 +307,8 @@ template <int D, class ShapeType>
 void to_points(const AnyShape& any_shape, const CarriedBlock<D>& block, const PointChange& change) noexcept {
   constexpr std::size_t S = ShapeType::support;
   const auto shape = the<ShapeType>(any_shape);
-  Index record_of[static_cast<std::size_t>(SiteTile<D, S>::num_nodes)];
-  std::fill_n(record_of, SiteTile<D, S>::num_nodes, Index{0});  // where there is no site no weight is
+  Index record_of[static_cast<std::size_t>(SiteTile<D, S>::num_sites)];
+  std::fill_n(record_of, SiteTile<D, S>::num_sites, Index{0});  // where there is no site no weight is
   const Index record_size = Index{2} * change.num_classes;
   for_each_site<D, S>(block, [&](Index place, Index site) { record_of[place] = site * record_size; });
   AlikePoints<D, S> points;

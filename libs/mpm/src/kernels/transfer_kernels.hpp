@@ -13,8 +13,9 @@ namespace scree::mpm {
 /// The nodes that a block's points can reach while they stay within one cell of it.
 template <int D, std::size_t S>
 struct TileShape {
-  static constexpr Index edge = block_edge<D> + static_cast<Index>(S) + 1;
-  static_assert(block_edge<D> > static_cast<Index>(S), "blocks of one colour would share nodes");
+  static_assert(S <= max_support);
+  static constexpr Index edge = block_edge<D, S> + static_cast<Index>(S) + 1;
+  static_assert(block_edge<D, S> > static_cast<Index>(S), "blocks of one colour would share nodes");
   static constexpr Index num_nodes = D == 1 ? edge : D == 2 ? edge * edge : edge * edge * edge;
 };
 
@@ -31,7 +32,7 @@ struct BlockPlace {
 
 /// Edge of the largest tile.
 template <int D>
-inline constexpr std::size_t max_tile_edge = block_edge<D> + 5;
+inline constexpr std::size_t max_tile_edge = block_edge<D, max_support> + max_support + 1;
 
 /// The nodes of a tile in the mesh: where the record of node (i, j, k) begins, offset[0][i] + offset[1][j] +
 /// ..; an axis has no node where its offset is negative.

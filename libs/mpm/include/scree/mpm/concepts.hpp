@@ -8,25 +8,26 @@
 namespace scree::mpm {
 
 /// A shape function along one axis, in units of the spacing. A stencil begins at node floor(x - shift);
-/// xi is the distance of the point from that node. In several dimensions shapes are multiplied.
+/// xi is the distance of the point from that node. In several dimensions shapes are multiplied. A shape may
+/// have parameters; what the functions tell then belongs to those.
 ///
 /// - weights(xi): N_i, sum 1
 /// - gradients(xi): dN_i/dxi, sum 0
 /// - affine(xi): N_i (i - xi) / second_moment(xi): what takes nodal velocities to the affine part
 /// - second_moment(xi): sum N_i (i - xi)^2
 template <class S>
-concept Shape = requires(double xi) {
+concept Shape = requires(const S shape, double xi) {
   { S::name } -> std::convertible_to<std::string_view>;
   { S::summary } -> std::convertible_to<std::string_view>;
   { S::support } -> std::convertible_to<std::size_t>;
   { S::shift } -> std::convertible_to<double>;
-  { S::weights(xi) }
+  { shape.weights(xi) }
   noexcept->std::same_as<std::array<double, S::support>>;
-  { S::gradients(xi) }
+  { shape.gradients(xi) }
   noexcept->std::same_as<std::array<double, S::support>>;
-  { S::affine(xi) }
+  { shape.affine(xi) }
   noexcept->std::same_as<std::array<double, S::support>>;
-  { S::second_moment(xi) }
+  { shape.second_moment(xi) }
   noexcept->std::same_as<double>;
 };
 

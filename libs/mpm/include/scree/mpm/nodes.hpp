@@ -44,7 +44,7 @@ class Nodes {
   /// @param corners lowest node of each box  @param edge nodes of a box along each axis
   void use(std::span<const Indices<D>> corners, Index edge);
 
-  /// Layers of image nodes past a wall: enough for a support of three nodes.
+  /// Layers of image nodes past a wall: enough for a support of four nodes.
   static constexpr Index num_images = 1;
 
   [[nodiscard]] const CartesianGrid<D>& grid() const noexcept { return grid_; }
