@@ -155,6 +155,10 @@ void add_all() {
   add<D>("apic_quadratic_2_percent_filled", Quadratic{}, Apic{}, {.fill = fill, .share = 0.02});
   add<D>("apic_quadratic_2e6_points", Quadratic{}, Apic{}, {.fill = D == 2 ? 707 : 63});
   add<D>("flip_quadratic", Quadratic{}, PicFlip{1}, {.fill = fill});
+  add<D>("apic_cubic", Cubic{}, Apic{}, {.fill = fill});
+  add<D>("apic_gimp", Gimp{2}, Apic{}, {.fill = fill});
+  add<D>("tpic_quadratic", Quadratic{}, Tpic{}, {.fill = fill});
+  add<D>("aflip_quadratic", Quadratic{}, Aflip{1}, {.fill = fill});
   add<D>("flip_linear", Linear{}, PicFlip{1}, {.fill = fill});
   for (const int count : {2, 8}) {
     for (const Sites sites : {Sites::cells, Sites::nodes}) {
