@@ -85,6 +85,10 @@ State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const
   require(particles.size() > 0, "a run needs at least one material point");
   require(stages.xpic.order == 0 || stages.transfer->record().has_increment,
           "xpic filters the velocities of points that take increments: its transfer must be pic_flip");
+  require(
+      stages.point_term == nullptr || !detail::has_stress_pass(stages),
+      "terms of points, as of flow round an axis, take their stress as they go to the nodes: the order must "
+      "be usl, without means over cells");
   State<D, V> state{std::move(particles), Nodes<D>{grid, stages.transfer->record()}};
   const auto masses = state.particles.mass.values();
   state.mass_floor = stages.mass_floor * *std::max_element(masses.begin(), masses.end());

@@ -39,6 +39,7 @@ void scatter(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads 
           stages.stress->apply(state.particles, block, dt);
     }
     stages.transfer->scatter(state.particles, block, state.nodes, dt);
+    if (stages.point_term) stages.point_term->scatter(state.particles, block, state.nodes, dt);
   });
 }
 
@@ -56,8 +57,10 @@ template <int D, int V>
 void gather(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
   const Stopwatch watch{state.seconds.gather};
   state.blocks.for_each(threads, [&](Index b) {
-    state.block_results[static_cast<std::size_t>(b)].motion = stages.transfer->gather(
-        state.particles, state.blocks.blocks[static_cast<std::size_t>(b)], state.nodes, dt);
+    const ParticleBlock<D>& block = state.blocks.blocks[static_cast<std::size_t>(b)];
+    state.block_results[static_cast<std::size_t>(b)].motion =
+        stages.transfer->gather(state.particles, block, state.nodes, dt);
+    if (stages.point_term) stages.point_term->gather(state.particles, block, dt);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <scree/error.hpp>
 #include <scree/mpm/column.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,11 +51,17 @@ class Particles {
     return extras_.size() - 1;
   }
 
-  /// Index of an added column.  @throws InputError naming `wanted_by` if there is none of that name.
-  [[nodiscard]] std::size_t find_column(std::string_view name, std::string_view wanted_by) const {
+  /// Index of an added column, if there is one of that name.
+  [[nodiscard]] std::optional<std::size_t> column_named(std::string_view name) const {
     for (std::size_t i = 0; i < extras_.size(); ++i) {
       if (extras_[i].quantity().name == name) return i;
     }
+    return std::nullopt;
+  }
+
+  /// Index of an added column.  @throws InputError naming `wanted_by` if there is none of that name.
+  [[nodiscard]] std::size_t find_column(std::string_view name, std::string_view wanted_by) const {
+    if (const auto index = column_named(name)) return *index;
     throw InputError{std::string{wanted_by} + " needs the column '" + std::string{name} +
                      "', which no part of this run provides"};
   }

@@ -5,6 +5,7 @@
 #include <scree/mpm/leaving.hpp>
 #include <scree/mpm/node_solve.hpp>
 #include <scree/mpm/order.hpp>
+#include <scree/mpm/point_term.hpp>
 #include <scree/mpm/stress_update.hpp>
 #include <scree/mpm/time_step.hpp>
 #include <scree/mpm/transfer.hpp>
@@ -23,6 +24,7 @@ struct Stages {
   std::unique_ptr<StressUpdate<D, V>> stress;
   std::unique_ptr<Transfer<D, V>> transfer;
   std::vector<std::unique_ptr<Boundary<D>>> boundaries;
+  std::unique_ptr<PointTerm<D, V>> point_term;  ///< such as those of axisymmetric flow; none: there are none
   std::unique_ptr<NodeSolve<D, V>> node_solve;  ///< what is implicit; none: nothing is
   std::array<double, V> gravity{};              ///< [m/s^2]
   /// A node lighter than this share of the heaviest point takes no part: its acceleration would be a small

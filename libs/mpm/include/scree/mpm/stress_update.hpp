@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/mpm/hoop_columns.hpp>
 #include <scree/mpm/law_inputs.hpp>
 #include <scree/mpm/particle_blocks.hpp>
 #include <scree/mpm/particles.hpp>
@@ -86,7 +87,7 @@ class StressUpdateBy final : public StressUpdate<D, V> {
  public:
   /// @param set what the law's kernel is compiled for, if it has kernels; must run here
   StressUpdateBy(const Law& law, Particles<D, V>& particles, InstructionSet set = widest_instruction_set())
-      : law_{law}, kernel_{kernel_of(law, set)} {
+      : law_{law}, kernel_{kernel_of(law, set)}, hoop_{hoop_columns_of(particles)} {
     for (std::size_t i = 0; i < num_inputs; ++i) {
       inputs_[i] = input_column(particles, Law::inputs[i]);
     }
@@ -190,9 +191,10 @@ class StressUpdateBy final : public StressUpdate<D, V> {
     return index;
   }
 
-  [[nodiscard]] static Deformation<double> deformation_of(const Particles<D, V>& particles,
-                                                          Index p) noexcept {
-    return {velocity_gradient_of(particles, p), particles.density.component(0)[p]};
+  [[nodiscard]] Deformation<double> deformation_of(const Particles<D, V>& particles, Index p) const noexcept {
+    Deformation<double> deformation{velocity_gradient_of(particles, p), particles.density.component(0)[p]};
+    if (hoop_) deformation.velocity_gradient(2, 2) = particles.column(hoop_->rate).component(0)[p];
+    return deformation;
   }
 
   /// An aggregate of doubles, each from its column.
@@ -221,6 +223,10 @@ class StressUpdateBy final : public StressUpdate<D, V> {
         columns.stress[row_by_row] = particles.stress.component(i + V * j) + block.begin;
       }
     }
+    if (hoop_) {
+      columns.velocity_gradient[8] = {particles.column(hoop_->rate).component(0) + block.begin, 1};
+      columns.stress[8] = particles.column(hoop_->stress).component(0) + block.begin;
+    }
     columns.density = particles.density.component(0) + block.begin;
     for (std::size_t i = 0; i < num_inputs; ++i) {
       columns.inputs[i] = particles.column(inputs_[i]).component(0) + block.begin;
@@ -239,6 +245,7 @@ class StressUpdateBy final : public StressUpdate<D, V> {
 
   Law law_;
   BlockKernel<Law> kernel_;
+  std::optional<HoopColumns> hoop_;
   std::array<std::size_t, num_inputs> inputs_{};
   std::array<std::size_t, num_states> states_{};
 };
