@@ -32,6 +32,12 @@ using io::TomlTable;
   mesh.velocity_components = static_cast<int>(table.integer_or(
       mesh.dimensions, "velocity_components", "components of velocity", between(mesh.dimensions, 3)));
   if (!table.is_sound("velocity_components")) mesh.velocity_components = mesh.dimensions;
+  constexpr std::array<std::string_view, 2> symmetries{"plane", "axisymmetric"};
+  mesh.is_axisymmetric =
+      table.choice_or("plane", "symmetry", "what the mesh is a cut through", symmetries) == "axisymmetric";
+  table.check(!mesh.is_axisymmetric || (mesh.dimensions == 2 && mesh.velocity_components == 2),
+              {"symmetry", "dimensions", "velocity_components"},
+              "flow round an axis takes 2 dimensions and 2 components of velocity");
   const auto dimensions = static_cast<std::size_t>(mesh.dimensions);
   mesh.size = table.numbers("size", "edges of the mesh [m], one per dimension", above(0), dimensions);
   mesh.cells = table.integer("cells", "number of cells along y", between(1, 1e6));
@@ -184,6 +190,32 @@ void read_surroundings(const TomlTable& root, Scene& scene, SceneFiles& files) {
   scene.leaving = read_leaving(boundaries);
 }
 
+/// What flow round an axis does not go with.
+void check_symmetry(const TomlTable& root, const Scene& scene) {
+  if (!scene.mesh.is_axisymmetric) return;
+  const TomlTable boundaries = root.table("boundaries");
+  const auto* axis = std::get_if<mpm::AnyWall>(&scene.axes[0].low);
+  boundaries.check(!scene.axes[0].is_periodic && axis != nullptr && std::holds_alternative<mpm::Slip>(*axis),
+                   {"x_low"}, "the axis of symmetry must be \"slip\"");
+  const bool has_friction = std::ranges::any_of(scene.axes,
+                                                [](const AxisScene& ends) {
+                                                  return std::holds_alternative<FrictionScene>(ends.low) ||
+                                                         std::holds_alternative<FrictionScene>(ends.high);
+                                                }) ||
+                            scene.terrain || !scene.bodies.empty();
+  if (has_friction) {
+    root.add_fault("mesh",
+                   "symmetry = \"axisymmetric\": walls with friction, terrain and bodies know areas of a "
+                   "plane flow only");
+  }
+  root.table_or_empty("gravity").check(scene.gravity.slope_degrees == 0, {"slope_degrees"},
+                                       "flow round an axis has none");
+  root.table_or_empty("numerics")
+      .check(scene.viscosity == ViscosityScheme::with_stress, {"viscosity"},
+             "is explicit in flow round an axis");
+  if (scene.segregation) root.add_fault("segregation", "is not for flow round an axis yet");
+}
+
 [[nodiscard]] ReadScene read(io::TomlFile file, const std::vector<std::string>& overrides,
                              const std::filesystem::path& folder) {
   for (const std::string& assignment : overrides) file.set(assignment);
@@ -208,6 +240,7 @@ void read_surroundings(const TomlTable& root, Scene& scene, SceneFiles& files) {
     scene.segregation = read_segregation(root.table("segregation"));
     if (!root.has("grains")) root.add_fault("segregation", "needs the table [grains]");
   }
+  check_symmetry(root, scene);
   scene.output = read_output(root.table_or_empty("output"), scene.end, root.has("grains"), scene.law);
   file.finish();
   return {std::move(scene), file.to_text(), files.files()};

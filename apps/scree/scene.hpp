@@ -33,6 +33,7 @@ namespace scree::app {
 struct MeshScene {
   int dimensions = 2;
   int velocity_components = 2;
+  bool is_axisymmetric = false;  ///< x is the radius, from the axis of symmetry; masses are those of a radian
   std::vector<double> size;  ///< edges [m], one per dimension
   Index cells = 0;           ///< along y, the normal of the base
 };

@@ -9,6 +9,7 @@
 #include "scree/walls.hpp"
 
 #include <scree/io/bounds.hpp>
+#include <scree/mpm/axisymmetric.hpp>
 #include <scree/mpm/geostatic.hpp>
 #include <scree/mpm/seed_region.hpp>
 #include <scree/mpm/terrain/above_bed.hpp>
@@ -100,8 +101,12 @@ template <int D, int V>
 }
 
 template <int D, int V>
-[[nodiscard]] mpm::Stages<D, V> make_stages(const Scene& scene, mpm::Particles<D, V>& particles) {
+[[nodiscard]] mpm::Stages<D, V> make_stages(const Scene& scene, const CartesianGrid<D>& grid,
+                                            mpm::Particles<D, V>& particles) {
   mpm::Stages<D, V> stages;
+  if constexpr (D == 2 && V == 2) {  // first: the law reads what this adds
+    if (scene.mesh.is_axisymmetric) stages.point_term = mpm::make_axisymmetric(particles, grid, scene.shape);
+  }
   stages.stress = std::visit(
       [&](const auto& law) -> std::unique_ptr<mpm::StressUpdate<D, V>> {
         return std::make_unique<mpm::StressUpdateBy<D, V, std::decay_t<decltype(law)>>>(law, particles);
@@ -160,7 +165,7 @@ template <int D, int V>
   const mpm::AnySurface<D> ground = ground_of<D>(scene);
   const Filling<D> filling{scene, grid, ground};
   auto particles = make_particles<D, V>(scene, filling);
-  stages = make_stages(scene, particles);
+  stages = make_stages(scene, grid, particles);
   stages.boundaries = make_boundaries(scene, grid, ground);
   settle(scene, filling, stages, particles);
   note = choose_viscosity(scene, grid, particles, stages, threads);
