@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+"""Steps of material points beside a program that shows what the machine can do, in turn."""
+
+import argparse
+import json
+import re
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+FIELDS = 4  # doubles of a node that one vector holds
+
+
+@dataclass
+class Row:
+    """A row of mpm_bench, the row of the limit it is held against, and the ratio asked of it."""
+
+    name: str
+    dimensions: int
+    limit: str  # how the limit's row begins
+    asked: float
+    threads: int = 1
+    support: int = 3
+    has_increment: bool = False
+
+
+def rows() -> list[Row]:
+    result = []
+    for d in (2, 3):
+        result += [
+            Row(f"{d}D_apic_quadratic", d, f"{d}D APIC quad Ns=0 E1", 0.7),
+            Row(f"{d}D_apic_quadratic_2_classes", d, f"{d}D APIC quad Ns=2 E1", 0.75),
+            Row(f"{d}D_apic_quadratic_8_classes", d, f"{d}D APIC quad Ns=8 E1", 0.75),
+            Row(f"{d}D_flip_quadratic", d, f"{d}D FLIP quad Ns=0 E1", 0.7, has_increment=True),
+            Row(f"{d}D_flip_linear", d, f"{d}D FLIP lin Ns=0 E1", 0.7, support=2, has_increment=True),
+            Row(f"{d}D_apic_quadratic_2_threads", d, f"{d}D APIC quad Ns=0 E1", 0.7, threads=2),
+        ]
+    return result
+
+
+# Of one row against another, both scree's.
+WITHIN = [("{}D_apic_quadratic_2_threads", "{}D_apic_quadratic", 1.7),
+          ("{}D_apic_quadratic_2e6_points", "{}D_apic_quadratic", 0.75),
+          ("{}D_apic_quadratic_2_percent_filled", "{}D_apic_quadratic", 0.8)]
+
+
+def to_nodes(axes: int, support: int, value: bool, slope: bool) -> int:
+    """Floating-point operations of add_to_nodes in libs/mpm/src/kernels/stencil_loops.hpp."""
+    if axes == 1:
+        return support * 2 * FIELDS * (value + slope)
+    here = FIELDS * ((1 if value else 0) + ((2 if value else 1) + axes - 1 if slope else 0))
+    return support * (here + to_nodes(axes - 1, support, True, slope))
+
+
+def from_nodes(axes: int, support: int, slope: bool) -> int:
+    """Those of sum_of_nodes."""
+    if axes == 1:
+        return support * 2 * FIELDS * (1 + slope)
+    here = 2 * FIELDS * (1 + (axes if slope else 0))
+    return support * (here + from_nodes(axes - 1, support, slope))
+
+
+def operations(row: Row) -> int:
+    """Of a point in the loops over the nodes of its stencil: not of its weights, its law, or the nodes' own."""
+    d, s = row.dimensions, row.support
+    if not row.has_increment:
+        return to_nodes(d, s, True, True) + from_nodes(d, s, True)
+    return (to_nodes(d, s, True, False) + to_nodes(d, s, False, True) + from_nodes(d, s, True)
+            + from_nodes(d, s, False))
+
+
+def run(*command: str) -> str:
+    environment = {"OMP_WAIT_POLICY": "passive", "PATH": "/usr/bin:/bin"}
+    return subprocess.run(command, check=True, capture_output=True, text=True, env=environment).stdout
+
+
+def rate_of_limit(folder: Path, row: Row) -> float:
+    fill = {2: 158, 3: 23}[row.dimensions]
+    text = run(str(folder / f"step{row.dimensions}d"), "time", f"{row.dimensions}d", str(fill),
+               str(row.threads), row.limit.removeprefix(f"{row.dimensions}D "), "1")
+    clock = r"per cpu-s +([\d.]+)" if row.threads == 1 else r"([\d.]+) Mpts/s"
+    found = re.search(re.escape(row.limit) + ".*?" + clock, text)
+    if not found:
+        raise SystemExit(f"{folder}/step{row.dimensions}d does not print the row '{row.limit}':\n{text}")
+    return float(found[1])
+
+
+def measure(bench: Path, name: str, threads: int) -> dict:
+    """A row of mpm_bench, its "rate" in millions a second: of CPU time on one thread, which others leave alone."""
+    text = run(str(bench), f"--benchmark_filter=^{name}/", "--benchmark_format=json")
+    row = json.loads(text)["benchmarks"][0]
+    row["rate"] = row["items_per_second"] / 1e6 * (row["real_time"] / row["cpu_time"] if threads == 1 else 1)
+    return row
+
+
+def peak(folder: Path) -> float:
+    """Multiply-adds of doubles on one core [Gflop/s]."""
+    text = run(str(folder / "machine"))
+    return max(float(g) for g in re.findall(r"fma double \S+ +threads 1 : +([\d.]+)", text))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--bench", type=Path, required=True, help="the program mpm_bench")
+    parser.add_argument("--limits", type=Path, required=True, help="folder of machine, step2d and step3d")
+    parser.add_argument("--rounds", type=int, default=2, help="each takes both in turn; the best counts")
+    options = parser.parse_args()
+
+    most = peak(options.limits)
+    print(f"one core makes {most:.1f} Gflop/s by multiply-adds of doubles")
+    print(f"{'million points x steps / s':34} scree limit ratio asked |  ns per point: scatter nodes gather"
+          " | loops over nodes [Gflop/s, of peak]")
+    best = {}
+    for row in rows():
+        limit = max(rate_of_limit(options.limits, row) for _ in range(options.rounds))
+        measured = max((measure(options.bench, row.name, row.threads) for _ in range(options.rounds)),
+                       key=lambda one: one["rate"])
+        rate = measured["rate"]
+        best[row.name] = rate
+        phases = " ".join(f"{measured[phase]:6.1f}" for phase in ("scatter_ns", "nodes_ns", "gather_ns"))
+        busy = measured["scatter_ns"] + measured["gather_ns"]
+        speed = operations(row) / busy
+        print(f"{row.name:34} {rate:5.1f} {limit:5.1f} {rate / limit:5.2f} {row.asked:5.2f} |"
+              f"        {phases}        | {speed:5.1f} {speed / (most * row.threads):4.0%}", flush=True)
+    print("one row of scree over another")
+    for d in (2, 3):
+        for name, other, asked in WITHIN:
+            name, other = name.format(d), other.format(d)
+            if name not in best:
+                best[name] = max(measure(options.bench, name, 1)["rate"] for _ in range(options.rounds))
+            print(f"{name:34} {best[name]:5.1f} {best[other]:5.1f} {best[name] / best[other]:5.2f} {asked:5.2f}")
+
+
+if __name__ == "__main__":
+    main()
