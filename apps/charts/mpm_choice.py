@@ -1,0 +1,60 @@
+"""What to choose for material points: the scheme that reaches an error at the least cost, and in words."""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from mpm_runs import Line, Scheme
+from pareto import EQUAL_COSTS, cost_of_error
+
+USUAL = Scheme("quadratic", "apic", "usl", 2)
+
+
+class Choice(NamedTuple):
+    """The cheapest scheme at an error, and what quadratic splines with APIC on 2² points cost there."""
+
+    error: float
+    scheme: Scheme
+    seconds: float
+    usual_seconds: float  # inf where they do not get there
+
+
+def error_levels(lines: Sequence[Line]) -> list[float]:
+    """Two errors of one digit: what the best scheme makes of the coarsest mesh, rounded up, and half as much again as
+    the best on the finest."""
+    coarse = min(line.errors[0] for line in lines if math.isfinite(line.errors[0]))
+    fine = 1.5 * min(line.errors[-1] for line in lines if math.isfinite(line.errors[-1]))
+    return sorted({_rounded_up(coarse), _rounded_up(fine)}, reverse=True)
+
+
+def _rounded_up(error: float) -> float:
+    unit = 10 ** math.floor(math.log10(error))
+    return float(f"{math.ceil(error / unit) * unit:.1g}")
+
+
+def choices(lines: Sequence[Line]) -> list[Choice]:
+    """The cheapest scheme at each error. Where costs are equal to their repeatability, the usual scheme, or else that
+    of the error before, is the choice."""
+    result: list[Choice] = []
+    for error in error_levels(lines):
+        costs = {line.scheme: cost_of_error(line.seconds, line.errors, error) for line in lines}
+        least = min(costs.values())
+        if not math.isfinite(least):
+            continue
+        near = [scheme for scheme, cost in costs.items() if cost <= (1 + EQUAL_COSTS) * least]
+        preferred = [USUAL, *(choice.scheme for choice in reversed(result))]
+        best = next((scheme for scheme in preferred if scheme in near), min(near, key=lambda one: costs[one]))
+        result.append(Choice(error, best, costs[best], costs.get(USUAL, math.inf)))
+    return result
+
+
+def sentence(chosen: Sequence[Choice]) -> str:
+    """What to choose, in one sentence for each error."""
+    parts = []
+    for choice in chosen:
+        factor = choice.usual_seconds / choice.seconds
+        beside = ""
+        if choice.scheme != USUAL:
+            beside = f" ({USUAL} takes {factor:.1f} times as long)" if math.isfinite(factor) else f" ({USUAL} does not get there)"
+        parts.append(f"For an error of {choice.error:g} choose {choice.scheme}{beside}.")
+    return " ".join(parts)
