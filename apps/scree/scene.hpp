@@ -34,8 +34,8 @@ struct MeshScene {
   int dimensions = 2;
   int velocity_components = 2;
   bool is_axisymmetric = false;  ///< x is the radius, from the axis of symmetry; masses are those of a radian
-  std::vector<double> size;  ///< edges [m], one per dimension
-  Index cells = 0;           ///< along y, the normal of the base
+  std::vector<double> size;      ///< edges [m], one per dimension
+  Index cells = 0;               ///< along y, the normal of the base
 };
 
 /// A wall that resists sliding by a law.

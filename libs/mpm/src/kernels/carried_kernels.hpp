@@ -8,8 +8,8 @@
 /// its own.
 namespace scree::mpm {
 
-/// The sites that a block's points can reach, as TileShape has nodes: mesh cells, of which each point has one,
-/// as far as points go in the blocks of any shape.
+/// The sites that a block's points can reach, as TileShape has nodes: mesh cells, of which each point has
+/// one, as far as points go in the blocks of any shape.
 template <int D, std::size_t S>
 struct SiteTile {
   static constexpr Index edge = S == 1 ? block_edge<D, max_support> + 3 : TileShape<D, S>::edge;
