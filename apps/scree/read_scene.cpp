@@ -210,9 +210,12 @@ void check_symmetry(const TomlTable& root, const Scene& scene) {
   }
   root.table_or_empty("gravity").check(scene.gravity.slope_degrees == 0, {"slope_degrees"},
                                        "flow round an axis has none");
-  root.table_or_empty("numerics")
-      .check(scene.viscosity == ViscosityScheme::with_stress, {"viscosity"},
-             "is explicit in flow round an axis");
+  const TomlTable numerics = root.table_or_empty("numerics");
+  numerics.check(scene.viscosity == ViscosityScheme::with_stress, {"viscosity"},
+                 "is explicit in flow round an axis");
+  numerics.check(scene.order == mpm::Order::usl && !scene.averaging.is_on(),
+                 {"order", "averaged_volume_change", "averaged_pressure"},
+                 "flow round an axis takes \"usl\", without means over cells");
   if (scene.segregation) root.add_fault("segregation", "is not for flow round an axis yet");
 }
 

@@ -42,6 +42,8 @@ TEST(AxisymmetricScene, IsRefusedWhatKnowsPlaneFlowsOnly) {
             "--set boundaries.x_low=no_slip: the axis of symmetry must be \"slip\"");
   EXPECT_EQ(message_of({round, "gravity.slope_degrees=10"}),
             "--set gravity.slope_degrees=10: flow round an axis has none");
+  EXPECT_EQ(message_of({round, "numerics.order=musl"}),
+            "--set numerics.order=musl: flow round an axis takes \"usl\", without means over cells");
   EXPECT_EQ(
       message_of({round, "mesh.velocity_components=3"}),
       "--set mesh.symmetry=axisymmetric: flow round an axis takes 2 dimensions and 2 components of velocity");
