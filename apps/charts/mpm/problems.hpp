@@ -22,8 +22,8 @@ struct Run {
 /// A ring that turns to and fro, large shear, across the cells of the mesh, 16 to 64 cells; errors over
 /// its largest way.  Eqs. (M83), (M84)
 [[nodiscard]] std::vector<Run> turning_ring(const Scheme& scheme, bool is_quick);
-/// A column of grains twice as high as wide that collapses, 12 to 48 cells along its mesh (quick: 12): the
-/// share of the mass that lies elsewhere than by quadratic splines with APIC on a mesh twice as fine.
+/// A column of grains twice as high as wide that collapses, 6 to 24 cells along its mesh (quick: 6): the
+/// share of the mass that lies elsewhere than by quadratic splines with APIC on a mesh four times as fine.
 [[nodiscard]] std::vector<Run> collapse(const Scheme& scheme, bool is_quick);
 
 }  // namespace scree::charts
