@@ -66,18 +66,22 @@ template <class Real>
   const Real zx = c * (x * z - y);
   const Real zy = c * (y * z + x);
   const Real zz = 1.0 - c * (x * x + y * y);
-  // Rows of r a.
+  // The first two rows of r a; the trace, which stays, spares the third.
   const Real ax = xx * a.xx + xy * a.xy + xz * a.xz;
   const Real ay = xx * a.xy + xy * a.yy + xz * a.yz;
   const Real az = xx * a.xz + xy * a.yz + xz * a.zz;
   const Real bx = yx * a.xx + yy * a.xy + yz * a.xz;
   const Real by = yx * a.xy + yy * a.yy + yz * a.yz;
   const Real bz = yx * a.xz + yy * a.yz + yz * a.zz;
-  const Real cx = zx * a.xx + zy * a.xy + zz * a.xz;
-  const Real cy = zx * a.xy + zy * a.yy + zz * a.yz;
-  const Real cz = zx * a.xz + zy * a.yz + zz * a.zz;
-  return {ax * xx + ay * xy + az * xz, bx * yx + by * yy + bz * yz, cx * zx + cy * zy + cz * zz,
-          ax * yx + ay * yy + az * yz, ax * zx + ay * zy + az * zz, bx * zx + by * zy + bz * zz};
+  const Real turned_xx = ax * xx + ay * xy + az * xz;
+  const Real turned_yy = bx * yx + by * yy + bz * yz;
+  const Real turned_zz = (a.xx + a.yy + a.zz) - turned_xx - turned_yy;
+  return {turned_xx,
+          turned_yy,
+          turned_zz,
+          ax * yx + ay * yy + az * yz,
+          ax * zx + ay * zy + az * zz,
+          bx * zx + by * zy + bz * zz};
 }
 
 /// (a - a^T)/2: the spin W of a velocity gradient.

@@ -70,8 +70,9 @@ struct ElasticHerschelBulkley {
     const Real excess = tau_trial - yield_stress;
     const Share<Real> left = share_left(excess, Real(shear_modulus * dt));
     const Real kept = select(excess <= 0.0, Real(1.0), (yield_stress + excess * left.value) / tau_trial);
-    const Symmetric<Real> s = Real(is_connected * kept) * trial;
-    return {s.tensor() - isotropic<Real>(is_connected * p), s,
+    const Real share = is_connected * kept;
+    // Made twice, not copied: a copy of the state would go through memory in packs.
+    return {(share * trial).tensor() - isotropic<Real>(is_connected * p), share * trial,
             select(excess <= 0.0, Real(0.0), left.unsolved)};
   }
 

@@ -77,8 +77,9 @@ struct GranularElastoviscoplastic {
     const Symmetric<Real> trial = turned(old + half, gradient, dt) + half;
     const Real tau_trial = sqrt(0.5 * squared_norm(trial));
     const Real kept = share_kept(tau_trial, contact_pressure(p), input.grain_size, dt);
-    const Symmetric<Real> s = Real(is_connected * kept) * trial;
-    return {s.tensor() - isotropic<Real>(is_connected * p), s};
+    const Real share = is_connected * kept;
+    // Made twice, not copied: a copy of the state would go through memory in packs.
+    return {(share * trial).tensor() - isotropic<Real>(is_connected * p), share * trial};
   }
 
   /// Speed of pressure waves [m/s], Eq. (R21). The viscosity that bounds a step is zero: over a step the
