@@ -155,7 +155,8 @@ inline void add_alike(const PackSites<D, S>& sites, const double (&given)[Pack::
 }
 
 template <int D, class ShapeType>
-void to_sites(const AnyShape& any_shape, const CarriedBlock<D>& block, const FourSums& sums) noexcept {
+SCREE_KERNEL void to_sites(const AnyShape& any_shape, const CarriedBlock<D>& block,
+                           const FourSums& sums) noexcept {
   constexpr std::size_t S = ShapeType::support;
   const auto shape = the<ShapeType>(any_shape);
   alignas(64) double tile[static_cast<std::size_t>(4 * SiteTile<D, S>::num_sites)];
@@ -304,7 +305,8 @@ inline void change_pack(const PointChange& change, const Index* record_of,
 
 /// Lanes are points throughout: a site's numbers are read once for neighbours that share it.
 template <int D, class ShapeType>
-void to_points(const AnyShape& any_shape, const CarriedBlock<D>& block, const PointChange& change) noexcept {
+SCREE_KERNEL void to_points(const AnyShape& any_shape, const CarriedBlock<D>& block,
+                            const PointChange& change) noexcept {
   constexpr std::size_t S = ShapeType::support;
   const auto shape = the<ShapeType>(any_shape);
   Index record_of[static_cast<std::size_t>(SiteTile<D, S>::num_sites)];

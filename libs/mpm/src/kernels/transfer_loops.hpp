@@ -195,8 +195,8 @@ inline void scatter_lane(const PackStencils<D, S>& stencils, const PackGiven<D, 
 }
 
 template <int D, int V, Shape ShapeType, TransferRule Rule>
-void scatter(const AnyShape& any_shape, const PointColumns<D, V>& columns, const BlockPlace<D>& place,
-             const TileNodes<D, double>& nodes, double dt) noexcept {
+SCREE_KERNEL void scatter(const AnyShape& any_shape, const PointColumns<D, V>& columns,
+                          const BlockPlace<D>& place, const TileNodes<D, double>& nodes, double dt) noexcept {
   using TileType = Tile<D, ShapeType::support, Rule>;
   const auto shape = *std::get_if<ShapeType>(&any_shape);
   TileType tile;
@@ -286,8 +286,9 @@ class MotionOfPacks {
 };
 
 template <int D, int V, Shape ShapeType, TransferRule Rule>
-BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& any_rule, const PointColumns<D, V>& columns,
-                   const BlockPlace<D>& place, const TileNodes<D, const double>& nodes, double dt) noexcept {
+SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& any_rule,
+                                const PointColumns<D, V>& columns, const BlockPlace<D>& place,
+                                const TileNodes<D, const double>& nodes, double dt) noexcept {
   using TileType = Tile<D, ShapeType::support, Rule>;
   const auto shape = *std::get_if<ShapeType>(&any_shape);
   const auto rule = *std::get_if<Rule>(&any_rule);
