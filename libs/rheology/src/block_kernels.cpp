@@ -3,6 +3,8 @@
 
 #include "block_kernels.hpp"
 
+#include "vector_functions.hpp"
+
 #include <scree/rheology/laws.hpp>
 #include <scree/update_block.hpp>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/rheology/elementary.hpp>
 #include <scree/tensor.hpp>
 
 #include <cmath>
@@ -45,14 +46,12 @@ struct CamClayStep {
   Real side;       ///< 1 on the wet side, -1 on the dry one
 
   [[nodiscard]] CamClayResidual<Real> operator()(const Real& z) const noexcept {
-    using std::exp;
-    using std::log;
     const double plastic = 1 - flow.kappa / flow.lambda;
     const auto is_dry = side < 0.0;
     const Real inverse = select(is_dry, Real(1.0 / z), Real(1.0));
     const Real share = z * z / (1.0 + z * z);
-    const Real u = log((1.0 + z * z) * inverse * inverse);
-    const Real p = p_normal * exp(-plastic * u);
+    const Real u = elementary::log((1.0 + z * z) * inverse * inverse);
+    const Real p = p_normal * elementary::exp(-plastic * u);
     const Real ratio = select(is_dry, inverse, z);  // q/(M p)
     const Real q = flow.M * ratio * p;
     const Real missing = q_trial - q;
@@ -86,8 +85,6 @@ template <class Real>
 [[nodiscard]] CamClayStress<Real> cam_clay_return(const CamClayFlow& flow, const Real& u_trial,
                                                   const Real& q_trial, const Real& p_c,
                                                   const Real& shear_modulus) noexcept {
-  using std::exp;
-  using std::expm1;
   using std::sqrt;
   constexpr int num_iterations = 16;
   constexpr double tolerance = 1e-10;  // of the terms: stresses are off by as little
@@ -97,10 +94,10 @@ template <class Real>
   const detail::CamClayStep<Real> step{flow,
                                        u_trial,
                                        q_trial,
-                                       p_c * exp(-(flow.kappa / flow.lambda) * u_trial),
+                                       p_c * elementary::exp(-(flow.kappa / flow.lambda) * u_trial),
                                        (6 * h / flow.M) * shear_modulus,
                                        select(is_dry, Real(-1.0), Real(1.0))};
-  const Real excess = expm1(u_trial);
+  const Real excess = elementary::expm1(u_trial);
   const Real ratio = select(excess <= 0.0, Real(0.0), sqrt(excess));
   Real low = select(is_dry, Real(1.0 / ratio), ratio);
   Real high(1.0);

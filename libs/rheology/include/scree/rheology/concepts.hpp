@@ -43,8 +43,7 @@ inline constexpr bool disconnects = [] {
 
 /// How many points a law's kernel computes at once, where registers are as wide: four, unless the law was
 /// measured to be faster in a whole pack of eight and says `static constexpr std::size_t most_lanes = 8`.
-/// Roots and quotients are half as fast in registers twice as wide, and exp, log and pow are computed lane by
-/// lane.
+/// Roots and quotients are half as fast in registers twice as wide; exp, log and pow (`elementary`) are not.
 template <class Law>
 inline constexpr std::size_t most_lanes = [] {
   if constexpr (requires { Law::most_lanes; }) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/rheology/elementary.hpp>
 #include <scree/tensor.hpp>
 
 #include <cmath>
@@ -55,7 +56,6 @@ struct CollisionalFactors {
 template <class Real>
 [[nodiscard]] CollisionalFactors<Real> collisional_factors(const Real& phi, const Real& contact,
                                                            double restitution, double correlation) noexcept {
-  using std::pow;
   const double e = restitution;
   const double root_pi = std::sqrt(std::numbers::pi);
   const Real G = phi * contact;
@@ -65,7 +65,7 @@ template <class Real>
   const Real viscosity = 8 / (5 * root_pi) * (collisional + std::numbers::pi / 32 * streaming);
   const Real independent = 12 / root_pi * (1 - e * e) * phi * G;
   const Real ratio = correlation * correlation / 4 * independent / viscosity;
-  const Real correlated = pow(G * G * ratio * ratio * ratio, Real(1.0 / 9.0));
+  const Real correlated = elementary::pow(G * G * ratio * ratio * ratio, Real(1.0 / 9.0));
   const Real length = select(correlated < 1.0, Real(1.0), correlated);
   return {phi * (1.0 + 2 * (1 + e) * G), viscosity, 4 / (3 * root_pi) * (1 + e) * phi * G,
           independent / length, length};
@@ -77,11 +77,10 @@ template <class Real>
 template <class Real>
 [[nodiscard]] Real riccati_step(const Real& old, const Real& a, const Real& b, const Real& c,
                                 const Real& dt) noexcept {
-  using std::expm1;
   using std::sqrt;
   const Real size = select(b < 0.0, -b, b);
   const Real r = sqrt(b * b + 4.0 * a * c);
-  const Real decay = -expm1(-r * dt);
+  const Real decay = -elementary::expm1(-r * dt);
   const Real tau = select(r == 0.0, 0.5 * dt, decay / (r * (2.0 - decay)));  // tanh(r dt/2)/r
   // 1 - |b| tau, which is not negative, as a sum of positive numbers
   const Real excess = select(r == 0.0, Real(0.0), 4.0 * a * c / (r + size));

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <scree/rheology/eigen_symmetric.hpp>
+#include <scree/rheology/elementary.hpp>
 #include <scree/rheology/kinematics.hpp>
 
 #include <array>
-#include <cmath>
 
 namespace scree::rheology {
 
@@ -18,9 +18,8 @@ struct HenckyStrain {
 /// dev(ln b)/2 of a left Cauchy-Green tensor b.  Eq. (R23)
 template <class Real>
 [[nodiscard]] HenckyStrain<Real> hencky_strain(const EigenSystem<Real>& b) noexcept {
-  using std::log;
   HenckyStrain<Real> result{{}, b.vectors};
-  for (std::size_t i = 0; i < 3; ++i) result.values[i] = 0.5 * log(b.values[i]);
+  for (std::size_t i = 0; i < 3; ++i) result.values[i] = 0.5 * elementary::log(b.values[i]);
   const Real mean = (result.values[0] + result.values[1] + result.values[2]) * (1.0 / 3.0);
   for (Real& e : result.values) e = e - mean;
   return result;
@@ -29,9 +28,8 @@ template <class Real>
 /// b = exp(2 strain).  Eq. (R23)
 template <class Real>
 [[nodiscard]] Symmetric<Real> left_cauchy_green(const HenckyStrain<Real>& strain) noexcept {
-  using std::exp;
   std::array<Real, 3> stretch{};
-  for (std::size_t i = 0; i < 3; ++i) stretch[i] = exp(2.0 * strain.values[i]);
+  for (std::size_t i = 0; i < 3; ++i) stretch[i] = elementary::exp(2.0 * strain.values[i]);
   return symmetric(composed(stretch, strain.axes));
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
+#include <scree/rheology/elementary.hpp>
 #include <scree/tensor.hpp>
-
-#include <cmath>
 
 namespace scree::rheology {
 
@@ -13,9 +12,8 @@ namespace scree::rheology {
 template <class Real>
 [[nodiscard]] Real papanastasiou_viscosity(const Real& shear_rate, double yield_stress,
                                            double regularisation_time) noexcept {
-  using std::expm1;
   const Real x = regularisation_time * shear_rate;
-  const Real share = select(x == 0.0, Real(1.0), -expm1(-x) / x);
+  const Real share = select(x == 0.0, Real(1.0), -elementary::expm1(-x) / x);
   return yield_stress * regularisation_time * share;
 }
 

@@ -5,6 +5,7 @@
 #include <scree/rheology/yield_stress.hpp>
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -15,6 +16,7 @@ namespace scree::rheology {
 struct Bingham {
   static constexpr std::string_view name = "bingham";
   static constexpr std::string_view summary = "fluid with a yield stress, regularised (Papanastasiou)";
+  static constexpr std::size_t most_lanes = 8;  // measured
 
   template <class Real>
   struct Input {};

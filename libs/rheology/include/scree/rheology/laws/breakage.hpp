@@ -3,6 +3,7 @@
 #include <scree/rheology/breakage_return.hpp>
 #include <scree/rheology/concepts.hpp>
 #include <scree/rheology/eigen_symmetric.hpp>
+#include <scree/rheology/elementary.hpp>
 #include <scree/rheology/kinematics.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
@@ -82,17 +83,15 @@ struct Breakage {
   [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
                                                    const Input<Real>& /*input*/, const State<Real>& old,
                                                    Real dt) const noexcept {
-    using std::exp;
-    using std::log;
     using std::sqrt;
     const double strain_unit = crushing_pressure() / bulk_modulus;
     const double shape_unit = strain_unit * std::sqrt(bulk_modulus / (3 * shear_modulus));
     const Real compression = deformation.density * (1 / density);  // 1/J
-    const Real total = log(compression);
+    const Real total = elementary::log(compression);
     const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
     const EigenSystem<Real> system = eigen_symmetric(carried_by(f, old.stretch().tensor()));
     std::array<Real, 3> strain{};  // Hencky, its deviator
-    for (std::size_t i = 0; i < 3; ++i) strain[i] = 0.5 * log(system.values[i]);
+    for (std::size_t i = 0; i < 3; ++i) strain[i] = 0.5 * elementary::log(system.values[i]);
     const Real mean = (strain[0] + strain[1] + strain[2]) * (1.0 / 3.0);
     for (Real& e : strain) e = e - mean;
     const Real size =
@@ -108,7 +107,7 @@ struct Breakage {
     for (std::size_t i = 0; i < 3; ++i) {
       const Real elastic = kept * strain[i];
       stress[i] = softened * (2 * shear_modulus * elastic - (bulk_modulus * strain_unit) * end.volume);
-      stretch[i] = exp(2.0 * elastic);
+      stretch[i] = elementary::exp(2.0 * elastic);
     }
     const Real compaction = old.compaction + (trial.volume - end.volume) * strain_unit;
     const Symmetric<Real> b = symmetric(composed(stretch, system.vectors));

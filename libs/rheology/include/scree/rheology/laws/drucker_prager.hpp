@@ -2,6 +2,7 @@
 
 #include <scree/rheology/concepts.hpp>
 #include <scree/rheology/eigen_symmetric.hpp>
+#include <scree/rheology/elementary.hpp>
 #include <scree/rheology/kinematics.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
@@ -23,6 +24,7 @@ namespace scree::rheology {
 struct DruckerPrager {
   static constexpr std::string_view name = "drucker_prager";
   static constexpr std::string_view summary = "cohesionless sand at large strain, without rate";
+  static constexpr std::size_t most_lanes = 8;  // measured
 
   template <class Real>
   struct Input {};
@@ -56,16 +58,14 @@ struct DruckerPrager {
   [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
                                                    const Input<Real>& /*input*/, const State<Real>& old,
                                                    Real dt) const noexcept {
-    using std::exp;
-    using std::log;
     using std::sqrt;
     const Real compression = deformation.density * (1 / density);  // 1/J
-    const Real p = bulk_modulus * log(compression);                // J times that of Cauchy
+    const Real p = bulk_modulus * elementary::log(compression);    // J times that of Cauchy
     const Real is_connected = select(p < 0.0, Real(0.0), Real(1.0));
     const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
     const EigenSystem<Real> trial = eigen_symmetric(carried_by(f, old.tensor()));
     std::array<Real, 3> strain{};  // Hencky, its deviator
-    for (std::size_t i = 0; i < 3; ++i) strain[i] = 0.5 * log(trial.values[i]);
+    for (std::size_t i = 0; i < 3; ++i) strain[i] = 0.5 * elementary::log(trial.values[i]);
     const Real mean = (strain[0] + strain[1] + strain[2]) * (1.0 / 3.0);
     for (Real& e : strain) e = e - mean;
     const Real tau_trial =
@@ -77,7 +77,7 @@ struct DruckerPrager {
     for (std::size_t i = 0; i < 3; ++i) {
       strain[i] = kept * strain[i];
       stress[i] = compression * (2.0 * shear_modulus * strain[i] - is_connected * p);
-      stretch[i] = exp(2.0 * strain[i]);
+      stretch[i] = elementary::exp(2.0 * strain[i]);
     }
     return {composed(stress, trial.vectors), symmetric(composed(stretch, trial.vectors))};
   }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <scree/rheology/concepts.hpp>
+#include <scree/rheology/elementary.hpp>
 #include <scree/rheology/kinematics.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -21,6 +23,7 @@ struct ElasticHerschelBulkley {
   static constexpr std::string_view name = "elastic_herschel_bulkley";
   static constexpr std::string_view summary =
       "fluid with a true yield stress, elastic below it; no viscous limit of the step";
+  static constexpr std::size_t most_lanes = 8;  // measured
 
   template <class Real>
   struct Input {};
@@ -100,22 +103,20 @@ struct ElasticHerschelBulkley {
   /// from 0.1 to 10, whatever the material and the step.
   template <class Real>
   [[nodiscard]] Share<Real> share_left(const Real& excess, const Real& modulus_dt) const noexcept {
-    using std::exp;
-    using std::log;
     if (exponent == 1) return {consistency / (consistency + modulus_dt), Real(0.0)};
     constexpr int num_steps = 6;
     constexpr double tolerance = 1e-10;  // [-], of the stress beyond yield
     const double m = 1 / exponent;
-    const Real log_b = log(modulus_dt / excess) + m * log(excess / consistency);
+    const Real log_b = elementary::log(modulus_dt / excess) + m * elementary::log(excess / consistency);
     const Real bound = -exponent * log_b;
     Real z = select(bound < 0.0, bound, Real(0.0));
     for (int i = 0; i < num_steps; ++i) {
-      const Real ratio = exp(log_b + (m - 1) * z);  // of the flow's term to the stress's
-      z = z - (z + log(1.0 + ratio)) / (1.0 + (m - 1) * ratio / (1.0 + ratio));
+      const Real ratio = elementary::exp(log_b + (m - 1) * z);  // of the flow's term to the stress's
+      z = z - (z + elementary::log(1.0 + ratio)) / (1.0 + (m - 1) * ratio / (1.0 + ratio));
     }
-    const Real rest = z + log(1.0 + exp(log_b + (m - 1) * z));
+    const Real rest = z + elementary::log(1.0 + elementary::exp(log_b + (m - 1) * z));
     const Real size = select(rest < 0.0, -rest, rest);
-    return {exp(z), select(size <= tolerance, Real(0.0), size)};
+    return {elementary::exp(z), select(size <= tolerance, Real(0.0), size)};
   }
 };
 static_assert(DescribedLaw<ElasticHerschelBulkley>);

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <scree/rheology/concepts.hpp>
+#include <scree/rheology/elementary.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 #include <scree/rheology/yield_stress.hpp>
 
 #include <array>
-#include <cmath>
 #include <string_view>
 
 namespace scree::rheology {
@@ -48,10 +48,9 @@ struct HerschelBulkley {
   /// Viscosity at a shear rate [Pa s].  Eq. (R10)
   template <class Real>
   [[nodiscard]] Real viscosity_at(const Real& shear_rate) const noexcept {
-    using std::pow;
     const double slow = 1 / regularisation_time;  // [1/s]
     const Real rate_squared = shear_rate * shear_rate + slow * slow;
-    return consistency * pow(rate_squared, Real((exponent - 1) / 2)) +
+    return consistency * elementary::pow(rate_squared, Real((exponent - 1) / 2)) +
            papanastasiou_viscosity(shear_rate, yield_stress, regularisation_time);
   }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -22,6 +23,7 @@ struct KineticTheory {
   static constexpr std::string_view name = "kinetic_theory";
   static constexpr std::string_view summary =
       "a gas of grains with a temperature of its own, up to dense flow";
+  static constexpr std::size_t most_lanes = 8;  // measured
   static constexpr bool disconnects = false;
 
   template <class Real>

@@ -2,6 +2,7 @@
 
 #include <scree/rheology/concepts.hpp>
 #include <scree/rheology/eigen_symmetric.hpp>
+#include <scree/rheology/elementary.hpp>
 #include <scree/rheology/hencky.hpp>
 #include <scree/rheology/kinematics.hpp>
 #include <scree/rheology/mohr_coulomb_return.hpp>
@@ -78,12 +79,11 @@ struct MohrCoulomb {
   [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
                                                    const Input<Real>& /*input*/, const State<Real>& old,
                                                    Real dt) const noexcept {
-    using std::log;
     const Real compression = deformation.density * (1 / density);  // 1/J
     const Symmetric<Real> b{old.xx, old.yy, old.zz, old.xy, old.xz, old.yz};
     const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
     HenckyStrain<Real> strain = hencky_strain(descending(eigen_symmetric(carried_by(f, b.tensor()))));
-    const Real mean_trial = bulk_modulus * (-log(compression) - old.dilation);
+    const Real mean_trial = bulk_modulus * (-elementary::log(compression) - old.dilation);
     Principal<Real> trial{};  // J times that of Cauchy
     for (std::size_t i = 0; i < 3; ++i) trial[i] = 2.0 * shear_modulus * strain.values[i] + mean_trial;
     const Strength strength = strength_at_rest();

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <scree/rheology/concepts.hpp>
+#include <scree/rheology/elementary.hpp>
 #include <scree/rheology/inertial_number.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -21,7 +23,8 @@ namespace scree::rheology {
 struct MuPhiOfI {
   static constexpr std::string_view name = "mu_phi_of_i";
   static constexpr std::string_view summary = "granular flow that dilates: friction and packing by I";
-  static constexpr bool disconnects = false;  // sheared grains press at any density
+  static constexpr std::size_t most_lanes = 8;  // measured
+  static constexpr bool disconnects = false;    // sheared grains press at any density
 
   template <class Real>
   struct Input {
@@ -119,11 +122,10 @@ struct MuPhiOfI {
   template <class Real>
   [[nodiscard]] static Root<Real> positive_root(const Real& cubic, const Real& linear,
                                                 const Real& constant) noexcept {
-    using std::pow;
     using std::sqrt;
     constexpr int num_steps = 7;
     constexpr double tolerance = 1e-12;  // [-], of the terms
-    const Real alone = pow(constant / cubic, Real(1.0 / 3.0));
+    const Real alone = elementary::pow(constant / cubic, Real(1.0 / 3.0));
     const Real ratio = constant / linear;
     const Real loose = select(ratio < alone, ratio, alone);
     const Real rest = select(linear < 0.0, Real(-linear), Real(0.0));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/rheology/concepts.hpp>
+#include <scree/rheology/elementary.hpp>
 #include <scree/rheology/inertial_number.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
@@ -107,13 +108,13 @@ struct RegularisedMuOfI {
   /// Shear strength mu p [Pa] from I sqrt(p) and sqrt(p) [sqrt(Pa)].
   template <class Real>
   [[nodiscard]] Real strength(const Real& grain_rate, const Real& root_p) const noexcept {
-    using std::log;
     using std::sqrt;
     const Real fast =
         root_p *
         (mu_s * I_0 * root_p * root_p + mu_2 * grain_rate * root_p + mu_inf * grain_rate * grain_rate) /
         (I_0 * root_p + grain_rate);
-    const Real slow = root_p * root_p * sqrt(alpha / (slowest() + log(I_1 * root_p / grain_rate)));
+    const Real slow =
+        root_p * root_p * sqrt(alpha / (slowest() + elementary::log(I_1 * root_p / grain_rate)));
     return select(grain_rate <= I_1 * root_p, slow, fast);
   }
 

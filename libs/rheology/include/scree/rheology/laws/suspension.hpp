@@ -1,10 +1,11 @@
 #pragma once
 
 #include <scree/rheology/concepts.hpp>
+#include <scree/rheology/elementary.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <string_view>
 
 namespace scree::rheology {
@@ -17,6 +18,7 @@ struct Suspension {
   static constexpr std::string_view name = "suspension";
   static constexpr std::string_view summary =
       "grains in a liquid, of a viscosity that grows up to the packing of the local mix of sizes";
+  static constexpr std::size_t most_lanes = 8;  // measured
 
   template <class Real>
   struct Input {
@@ -57,11 +59,10 @@ struct Suspension {
   /// Viscosity at a solid fraction [Pa s].  Eqs. (R74), (R75)
   template <class Real>
   [[nodiscard]] Real viscosity_at(const Real& fraction, const Real& maximum_packing) const noexcept {
-    using std::exp;
-    using std::log;
     const auto is_jammed = maximum_packing <= fraction;
     const Real room = select(is_jammed, Real(1.0), Real(1.0 - fraction / maximum_packing));
-    const Real flowing = liquid_viscosity * exp(-(intrinsic_viscosity * maximum_packing) * log(room));
+    const Real flowing =
+        liquid_viscosity * elementary::exp(-(intrinsic_viscosity * maximum_packing) * elementary::log(room));
     const Real highest = jammed_viscosity;
     return select(is_jammed, highest, select(highest < flowing, highest, flowing));
   }
