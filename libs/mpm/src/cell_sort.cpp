@@ -98,19 +98,19 @@ template <int D, int V>
 
 /// Blocks with their padded ranges, and for each new place the point that goes there.
 template <int D>
-struct Order {
+struct Sorting {
   ParticleBlocks<D> blocks;
   std::vector<Index> source;
   std::vector<Index> padding;  ///< places that hold points of mass zero
 };
 
 template <int D>
-[[nodiscard]] Order<D> order_by(const std::vector<Index>& keys, const Numbering<D>& numbering) {
+[[nodiscard]] Sorting<D> order_by(const std::vector<Index>& keys, const Numbering<D>& numbering) {
   std::vector<Index> next(static_cast<std::size_t>(numbering.num_keys()) + 1, 0);
   for (const Index key : keys) {
     if (key >= 0) ++next[static_cast<std::size_t>(key)];
   }
-  Order<D> order;
+  Sorting<D> order;
   order.blocks.edge = numbering.edge;
   Index place = 0;
   for (Index first = 0; first < numbering.num_keys(); first += numbering.cells_per_block) {
@@ -162,7 +162,7 @@ template <int D, int V>
 ParticleBlocks<D> cell_sort(Particles<D, V>& particles, const CartesianGrid<D>& grid, double stencil_shift,
                             Threads threads, Index edge) {
   const Numbering<D> numbering{grid, edge};
-  Order<D> order = order_by(keys_of(particles, grid, stencil_shift, numbering), numbering);
+  Sorting<D> order = order_by(keys_of(particles, grid, stencil_shift, numbering), numbering);
   std::vector<Column*> columns;
   particles.for_each_column([&](Column& column) { columns.push_back(&column); });
   for_each_block(static_cast<Index>(columns.size()), threads,

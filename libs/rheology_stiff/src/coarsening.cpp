@@ -1,17 +1,11 @@
 #include "coarsening.hpp"
 
+#include "places.hpp"
+
 #include <algorithm>
 #include <limits>
 
 namespace scree::rheology::detail {
-
-namespace {
-
-constexpr std::size_t at(Index i) noexcept {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 template <int D>
 std::optional<CartesianGrid<D>> Coarsening<D>::coarser(const CartesianGrid<D>& fine) {

@@ -1,6 +1,7 @@
 #include "implicit_viscosity_checks.hpp"
 #include "instances.hpp"
 #include "newton_krylov.hpp"
+#include "places.hpp"
 #include "preconditioner.hpp"
 
 #include <scree/rheology_stiff/implicit_viscosity.hpp>
@@ -13,18 +14,16 @@ namespace scree::rheology {
 
 namespace {
 
-constexpr const char* who = "ImplicitViscosity";
+constexpr const char* solver_name = "ImplicitViscosity";
 
-std::size_t at(Index i) noexcept {
-  return static_cast<std::size_t>(i);
-}
+using detail::at;
 
 template <int D, int V>
 std::unique_ptr<detail::Preconditioner<D, V>> make_preconditioner(ViscousPreconditioner choice,
                                                                   const ViscousOperator<D, V>& viscous) {
   const bool can_be_line = D == 1 && !viscous.grid().is_periodic()[0];
   if (choice == ViscousPreconditioner::line && !can_be_line) {
-    throw InputError{std::string{who} +
+    throw InputError{std::string{solver_name} +
                      ": the line preconditioner is for one dimension that is not periodic"};
   }
   if (choice == ViscousPreconditioner::jacobi) return detail::make_jacobi<D, V>(viscous);
@@ -52,8 +51,9 @@ class ImplicitViscosity<D, V>::Solver {
         now_(viscous_.num_values(), 0.0),
         change_(viscous_.num_values(), 0.0),
         diagonal_(viscous_.num_values(), 0.0),
-        linear_{static_cast<Index>(viscous_.num_values()), problem(), newton_options(true), who},
-        nonlinear_{static_cast<Index>(viscous_.num_values()), problem(), newton_options(false), who} {}
+        linear_{static_cast<Index>(viscous_.num_values()), problem(), newton_options(true), solver_name},
+        nonlinear_{static_cast<Index>(viscous_.num_values()), problem(), newton_options(false), solver_name} {
+  }
 
   ImplicitViscosityReport advance(std::span<double> velocity, const ViscousBody& body,
                                   std::span<const double> viscosity, double dt) {
@@ -90,7 +90,7 @@ class ImplicitViscosity<D, V>::Solver {
 
   void begin(std::span<const double> velocity, const ViscousBody& body, double dt) {
     if (velocity.size() != viscous_.num_values()) {
-      throw InputError{std::string{who} + ": " + std::to_string(velocity.size()) +
+      throw InputError{std::string{solver_name} + ": " + std::to_string(velocity.size()) +
                        " values of velocity: must be " + std::to_string(viscous_.num_values())};
     }
     detail::require_valid({velocity, body, dt, V, volume_.size()});
@@ -197,8 +197,8 @@ class ImplicitViscosity<D, V>::Solver {
     const double rate = std::sqrt(std::max(cell_values_[cell], 0.0));
     const ViscosityAt mu = (*law_)(rate, static_cast<Index>(cell));
     std::ostringstream text;
-    text << who << ": at " << rate << " 1/s the law's viscosity of cell " << cell << " is " << mu.viscosity
-         << " Pa s and its slope " << mu.slope
+    text << solver_name << ": at " << rate << " 1/s the law's viscosity of cell " << cell << " is "
+         << mu.viscosity << " Pa s and its slope " << mu.slope
          << " Pa s^2: must be finite, and the stress must not fall with the rate";
     throw RunError{text.str()};
   }

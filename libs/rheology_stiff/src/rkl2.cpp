@@ -11,7 +11,7 @@ namespace scree::rheology {
 namespace {
 
 template <class... Part>
-[[noreturn]] void refuse(const Part&... part) {
+[[noreturn]] void refuse_stages(const Part&... part) {
   std::ostringstream text;
   (text << ... << part);
   throw InputError{text.str()};
@@ -27,16 +27,16 @@ double coefficient(int j) noexcept {
 
 int rkl2_stages(double step, double explicit_step) {
   if (!(step >= 0 && std::isfinite(step))) {
-    refuse("rkl2_stages: the step is ", step, " s: must be zero or positive, and finite");
+    refuse_stages("rkl2_stages: the step is ", step, " s: must be zero or positive, and finite");
   }
   if (!(explicit_step > 0)) {
-    refuse("rkl2_stages: the explicit step is ", explicit_step, " s: must be positive");
+    refuse_stages("rkl2_stages: the explicit step is ", explicit_step, " s: must be positive");
   }
   const double ratio = step / explicit_step;  // (s^2 + s - 2)/4 at least
   const double fewest = (std::sqrt(9 + 16 * ratio) - 1) / 2;
   if (!(fewest <= largest_rkl2)) {
-    refuse("rkl2_stages: a step of ", step, " s takes ", fewest, " stages: must be ", largest_rkl2,
-           " or fewer");
+    refuse_stages("rkl2_stages: a step of ", step, " s takes ", fewest, " stages: must be ", largest_rkl2,
+                  " or fewer");
   }
   const int stages = std::max(3, static_cast<int>(std::ceil(fewest)));
   return stages % 2 == 0 ? stages + 1 : stages;
@@ -50,8 +50,8 @@ Rkl2::Rkl2(std::size_t num_values)
       last_(num_values, 0.0) {}
 
 void Rkl2::advance(std::span<double> u, double step, int stages, const Rate& rate) {
-  if (u.size() != start_.size()) refuse("Rkl2: ", u.size(), " values: must be ", start_.size());
-  if (stages < 2) refuse("Rkl2: ", stages, " stages: must be 2 or more");
+  if (u.size() != start_.size()) refuse_stages("Rkl2: ", u.size(), " values: must be ", start_.size());
+  if (stages < 2) refuse_stages("Rkl2: ", stages, " stages: must be 2 or more");
   const double w = 4 / (static_cast<double>(stages) * stages + stages - 2);
   std::ranges::copy(u, start_.begin());
   std::ranges::copy(u, before_last_.begin());

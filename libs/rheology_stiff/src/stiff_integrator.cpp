@@ -15,7 +15,7 @@ namespace scree::rheology {
 
 namespace {
 
-constexpr const char* who = "StiffIntegrator";
+constexpr const char* integrator_name = "StiffIntegrator";
 
 struct FreeCvode {
   void operator()(void* memory) const noexcept { CVodeFree(&memory); }
@@ -23,24 +23,25 @@ struct FreeCvode {
 using CvodeMemory = std::unique_ptr<void, FreeCvode>;
 
 template <class... Part>
-[[noreturn]] void refuse(const Part&... part) {
+[[noreturn]] void refuse_integration(const Part&... part) {
   std::ostringstream text;
-  text << who << ": ";
+  text << integrator_name << ": ";
   (text << ... << part);
   throw InputError{text.str()};
 }
 
 void require_positive(const char* name, double value) {
   if (value > 0 && std::isfinite(value)) return;
-  refuse(name, " = ", value, ": must be positive and finite");
+  refuse_integration(name, " = ", value, ": must be positive and finite");
 }
 
 void require_valid(std::size_t num_values, const RateForm& form, const StiffIntegratorOptions& options) {
-  if (num_values == 0) refuse("0 values: must be 1 or more");
-  if (!form.rate) refuse("the law '", form.law, "' has no rate");
+  if (num_values == 0) refuse_integration("0 values: must be 1 or more");
+  if (!form.rate) refuse_integration("the law '", form.law, "' has no rate");
   require_positive("relative_tolerance", options.relative_tolerance);
   require_positive("absolute_tolerance", options.absolute_tolerance);
-  if (options.largest_count < 1) refuse("largest_count = ", options.largest_count, ": must be 1 or more");
+  if (options.largest_count < 1)
+    refuse_integration("largest_count = ", options.largest_count, ": must be 1 or more");
 }
 
 }  // namespace
@@ -49,12 +50,12 @@ class StiffIntegrator::Solver {
  public:
   Solver(std::size_t num_values, RateForm form, const StiffIntegratorOptions& options)
       : form_{std::move(form)},
-        context_{sundials::make_context(who)},
+        context_{sundials::make_context(integrator_name)},
         now_{sundials::require_made(
-            sundials::SerialVector{N_VNew_Serial(static_cast<sunindextype>(num_values), context_.get())}, who,
-            "N_VNew_Serial")},
-        memory_{
-            sundials::require_made(CvodeMemory{CVodeCreate(CV_BDF, context_.get())}, who, "CVodeCreate")} {
+            sundials::SerialVector{N_VNew_Serial(static_cast<sunindextype>(num_values), context_.get())},
+            integrator_name, "N_VNew_Serial")},
+        memory_{sundials::require_made(CvodeMemory{CVodeCreate(CV_BDF, context_.get())}, integrator_name,
+                                       "CVodeCreate")} {
     N_VConst(0, now_.get());
     check(CVodeSetErrHandlerFn(memory_.get(), &Solver::keep_message, this), "CVodeSetErrHandlerFn");
     check(CVodeSetUserData(memory_.get(), this), "CVodeSetUserData");
@@ -67,10 +68,11 @@ class StiffIntegrator::Solver {
 
   StiffIntegratorReport advance(std::span<double> u, double time, double duration) {
     const auto values = sundials::values(now_.get());
-    if (u.size() != values.size()) refuse(u.size(), " values where ", values.size(), " are integrated");
-    if (!std::isfinite(time)) refuse("the time is ", time, " s: must be finite");
+    if (u.size() != values.size())
+      refuse_integration(u.size(), " values where ", values.size(), " are integrated");
+    if (!std::isfinite(time)) refuse_integration("the time is ", time, " s: must be finite");
     if (!(duration >= 0 && std::isfinite(duration))) {
-      refuse("the duration is ", duration, " s: must be zero or positive, and finite");
+      refuse_integration("the duration is ", duration, " s: must be zero or positive, and finite");
     }
     if (time + duration == time) return {};
     std::ranges::copy(u, values.begin());
@@ -90,9 +92,9 @@ class StiffIntegrator::Solver {
   void set_linear_solver(sunindextype num_values) {
     matrix_ =
         sundials::require_made(sundials::SystemMatrix{SUNDenseMatrix(num_values, num_values, context_.get())},
-                               who, "SUNDenseMatrix");
+                               integrator_name, "SUNDenseMatrix");
     linear_solver_ = sundials::require_made(
-        sundials::LinearSolver{SUNLinSol_Dense(now_.get(), matrix_.get(), context_.get())}, who,
+        sundials::LinearSolver{SUNLinSol_Dense(now_.get(), matrix_.get(), context_.get())}, integrator_name,
         "SUNLinSol_Dense");
     check(CVodeSetLinearSolver(memory_.get(), linear_solver_.get(), matrix_.get()), "CVodeSetLinearSolver");
     if (form_.jacobian) check(CVodeSetJacFn(memory_.get(), &Solver::jacobian), "CVodeSetJacFn");
@@ -113,7 +115,7 @@ class StiffIntegrator::Solver {
   void check(int flag, const char* call) const {
     if (flag >= 0) return;
     std::ostringstream name;
-    name << who << ": the law '" << form_.law << "' at time " << reached_ << " s";
+    name << integrator_name << ": the law '" << form_.law << "' at time " << reached_ << " s";
     sundials::check(flag, &CVodeGetReturnFlagName, name.str().c_str(), call, said_);
   }
 

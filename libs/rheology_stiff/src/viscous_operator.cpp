@@ -1,4 +1,5 @@
 #include "instances.hpp"
+#include "places.hpp"
 
 #include <scree/rheology_stiff/viscous_operator.hpp>
 
@@ -6,13 +7,7 @@
 
 namespace scree::rheology {
 
-namespace {
-
-constexpr std::size_t at(Index i) noexcept {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
+using detail::at;
 
 template <int D, int V>
 ViscousOperator<D, V>::ViscousOperator(const CartesianGrid<D>& grid, Quadrature quadrature, Threads threads)

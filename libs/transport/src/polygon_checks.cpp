@@ -14,7 +14,7 @@ namespace {
 // a cell this thin has a normal distance between its faces that is rounding only.
 constexpr double degenerate = 1e-12;
 
-[[noreturn]] void fail(const std::ostringstream& text) {
+[[noreturn]] void refuse(const std::ostringstream& text) {
   throw InputError{text.str()};
 }
 
@@ -28,7 +28,7 @@ double cross(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c) {
   text << "Polygonal: cell " << cell << " at ";
   text << position_text<2>(middle_of(mesh, cell));
   text << " m " << what;
-  fail(text);
+  refuse(text);
 }
 
 void check_vertices(const PolygonalMesh& mesh) {
@@ -38,7 +38,7 @@ void check_vertices(const PolygonalMesh& mesh) {
     text << "Polygonal: vertex " << i << " is at ";
     text << position_text<2>(mesh.vertices[i]);
     text << " m: coordinates must be finite";
-    fail(text);
+    refuse(text);
   }
 }
 
@@ -49,13 +49,13 @@ void check_offsets(const PolygonalMesh& mesh) {
     std::ostringstream text;
     text << "Polygonal: first_corner must start at 0, end at the number of corners, " << num_corners
          << ", and have at least one cell";
-    fail(text);
+    refuse(text);
   }
   for (std::size_t i = 0; i + 1 < first.size(); ++i) {
     if (first[i + 1] - first[i] >= 3) continue;
     std::ostringstream text;
     text << "Polygonal: cell " << i << " has " << first[i + 1] - first[i] << " corners: must have at least 3";
-    fail(text);
+    refuse(text);
   }
 }
 
@@ -68,7 +68,7 @@ void check_indices(const PolygonalMesh& mesh) {
       std::ostringstream text;
       text << "Polygonal: cell " << cell << " has vertex " << corner << " as a corner: must lie in [0, "
            << num_vertices - 1 << "]";
-      fail(text);
+      refuse(text);
     }
   }
   for (std::size_t i = 0; i < mesh.boundary_edges.size(); ++i) {
@@ -79,12 +79,12 @@ void check_indices(const PolygonalMesh& mesh) {
       std::ostringstream text;
       text << "Polygonal: boundary edge " << i << " is on boundary " << edge.boundary << " of "
            << mesh.boundary_names.size();
-      fail(text);
+      refuse(text);
     }
     std::ostringstream text;
     text << "Polygonal: boundary edge " << i << " joins vertices " << edge.from << " and " << edge.to
          << ": must lie in [0, " << num_vertices - 1 << "]";
-    fail(text);
+    refuse(text);
   }
 }
 
