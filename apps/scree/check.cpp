@@ -14,8 +14,7 @@ std::string cost_of(const Scene& scene) {
     const mpm::TimeStep step = simulation.next_step();
     const double node_bytes =
         static_cast<double>(state.nodes.num_nodes() * state.nodes.record().size()) * sizeof(double);
-    const double point_bytes = static_cast<double>(state.particles.size()) *
-                               static_cast<double>(state.particles.bytes_per_particle());
+    const double sort_bytes = 3 * sizeof(double) * static_cast<double>(state.particles.size());
     const double steps = scene.end / step.dt;
     const double megabyte = 1e6;
     std::string lines = fmt::format(
@@ -26,7 +25,8 @@ std::string cost_of(const Scene& scene) {
         "memory   {:.3g} MB\n",
         simulation.num_points(), state.particles.bytes_per_particle(), simulation.grid().cells().num_sites(),
         step.dt, mpm::limit_names[static_cast<std::size_t>(step.limit)], steps,
-        steps * static_cast<double>(simulation.num_points()), (node_bytes + 2 * point_bytes) / megabyte);
+        steps * static_cast<double>(simulation.num_points()),
+        (node_bytes + static_cast<double>(state.particles.held_bytes()) + sort_bytes) / megabyte);
     const std::string few = simulation.too_few_points();
     if (!few.empty()) lines += "warning: " + few + "\n";
     return lines;

@@ -109,7 +109,7 @@ def main() -> None:
     most = peak(options.limits)
     print(f"one core makes {most:.1f} Gflop/s by multiply-adds of doubles")
     print(f"{'million points x steps / s':34} scree limit ratio asked |  ns per point: scatter nodes gather"
-          " | loops over nodes [Gflop/s, of peak]")
+          " | loops over nodes [Gflop/s, of peak] | bytes per point, over columns")
     best = {}
     for row in rows():
         limit = max(rate_of_limit(options.limits, row) for _ in range(options.rounds))
@@ -121,7 +121,8 @@ def main() -> None:
         busy = measured["scatter_ns"] + measured["gather_ns"]
         speed = operations(row) / busy
         print(f"{row.name:34} {rate:5.1f} {limit:5.1f} {rate / limit:5.2f} {row.asked:5.2f} |"
-              f"        {phases}        | {speed:5.1f} {speed / (most * row.threads):4.0%}", flush=True)
+              f"        {phases}        | {speed:5.1f} {speed / (most * row.threads):4.0%}"
+              f" | {measured['bytes']:4.0f} {measured['bytes'] / measured['bytes_in_use']:5.3f}", flush=True)
     print("one row of scree over another")
     for d in (2, 3):
         for name, other, asked in WITHIN:

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-/// Whole steps of a swirl of 2^D points
-/// to a cell, jittered, in a square or cube away from the ends of its mesh. Rates are point updates; beside
-/// them the wall-clock time of each phase [ns per point]. The law is a linear fluid.
+/// Whole steps of a swirl of 2^D points to a cell, jittered, in a square or cube away from the ends of its
+/// mesh. Rates are point updates; beside them the wall-clock time of each phase [ns per point], and the
+/// memory of the columns, held and by their sizes [bytes per point]. The law is a linear fluid.
 namespace {
 
 using namespace scree;
@@ -109,6 +109,9 @@ void step_of_points(benchmark::State& bench, const AnyShape& shape, const AnyTra
   const double updates = static_cast<double>(bench.iterations() * num_points);
   bench.counters["scatter_ns"] = state.seconds.scatter / updates * 1e9;
   bench.counters["nodes_ns"] = state.seconds.nodes / updates * 1e9;
+  bench.counters["bytes"] =
+      static_cast<double>(state.particles.held_bytes()) / static_cast<double>(num_points);
+  bench.counters["bytes_in_use"] = static_cast<double>(state.particles.bytes_per_particle());
   bench.counters["gather_ns"] = state.seconds.gather / updates * 1e9;
 }
 

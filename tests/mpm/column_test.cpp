@@ -3,6 +3,7 @@
 #include <scree/mpm/column.hpp>
 
 #include <array>
+#include <cstdint>
 
 namespace scree::mpm {
 namespace {
@@ -40,6 +41,23 @@ TEST(Column, TakesEachValueFromItsSource) {
   const std::array<double, 8> expected{2, 0, 0, 1, 5, 3, 3, 4};
   ASSERT_EQ(column.size(), 4);
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(column.values()[i], expected[i]);
+}
+
+TEST(Column, TakesFewerValuesThanItHad) {
+  Column column = three_pairs();
+  const std::array<Index, 2> source{2, 1};
+
+  column.reorder(source);
+
+  const std::array<double, 4> expected{2, 1, 5, 4};
+  ASSERT_EQ(column.values().size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(column.values()[i], expected[i]);
+}
+
+TEST(Column, BeginsOnACacheLine) {
+  const Column column = three_pairs();
+
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(column.component(0)) % 64, 0);
 }
 
 TEST(Column, RefusesToHaveNoComponent) {

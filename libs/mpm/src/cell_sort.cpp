@@ -2,6 +2,7 @@
 #include "point_text.hpp"
 
 #include <scree/mpm/cell_sort.hpp>
+#include <scree/pack_size.hpp>
 
 #include <algorithm>
 #include <cmath>

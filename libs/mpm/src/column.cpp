@@ -1,6 +1,7 @@
 #include <scree/error.hpp>
 #include <scree/mpm/column.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace scree::mpm {
@@ -17,13 +18,20 @@ void Column::resize(Index size) {
 
 void Column::reorder(std::span<const Index> source) {
   const auto size = static_cast<Index>(source.size());
-  scratch_.resize(source.size() * static_cast<std::size_t>(num_components_));
-  for (int c = 0; c < num_components_; ++c) {
-    const double* from = component(c);
-    double* to = scratch_.data() + c * size;
-    for (const Index old : source) *to++ = from[old];
+  const std::size_t num_values = source.size() * static_cast<std::size_t>(num_components_);
+  const std::size_t spare = num_values / 32;  // padding comes and goes
+  if (num_values > values_.capacity()) values_.reserve(num_values + spare);
+  values_.resize(std::max(values_.size(), num_values));
+  AlignedVector<double> sorted(source.size());
+  // A component that moves up would cover those above it, one that moves down those below: these go first.
+  const bool grows = size > size_;
+  for (int i = 0; i < num_components_; ++i) {
+    const int c = grows ? num_components_ - 1 - i : i;
+    const double* from = values_.data() + c * size_;
+    std::ranges::transform(source, sorted.begin(), [&](Index old) { return from[old]; });
+    std::ranges::copy(sorted, values_.begin() + c * size);
   }
-  values_.swap(scratch_);
+  values_.resize(num_values);
   size_ = size;
 }
 

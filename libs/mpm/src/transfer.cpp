@@ -43,19 +43,20 @@ class TransferBy final : public Transfer<D, V> {
 
   void scatter(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
                double dt) const noexcept override {
-    const PointColumns<D, V> columns = columns_of(const_cast<Particles<D, V>&>(particles), block);
-    kernels_.scatter(shape_, columns, place_of(block, nodes.grid()), tile_of(block, nodes, nodes[0]), dt);
+    kernels_.scatter(shape_, columns_of<const double>(particles, block), place_of(block, nodes.grid()),
+                     tile_of(block, nodes, nodes[0]), dt);
   }
 
   [[nodiscard]] BlockMotion gather(Particles<D, V>& particles, const ParticleBlock<D>& block,
                                    const Nodes<D>& nodes, double dt) const noexcept override {
-    return kernels_.gather(shape_, rule_, columns_of(particles, block), place_of(block, nodes.grid()),
+    return kernels_.gather(shape_, rule_, columns_of<double>(particles, block), place_of(block, nodes.grid()),
                            tile_of(block, nodes, nodes[0]), dt);
   }
 
  private:
-  [[nodiscard]] static PointColumns<D, V> columns_of(Particles<D, V>& particles,
-                                                     const ParticleBlock<D>& block) noexcept {
+  template <class Value, class AnyParticles>
+  [[nodiscard]] static PointColumns<D, V, Value> columns_of(AnyParticles& particles,
+                                                            const ParticleBlock<D>& block) noexcept {
     return {.position = particles.position.component(0),
             .velocity = particles.velocity.component(0),
             .velocity_gradient = particles.velocity_gradient.component(0),

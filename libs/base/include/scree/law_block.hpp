@@ -2,15 +2,13 @@
 
 #include <scree/constitutive_law.hpp>
 #include <scree/instruction_set.hpp>
+#include <scree/pack_size.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 
 namespace scree {
-
-/// Points of a block come in whole packs of this many, so that no instruction set has points left over.
-inline constexpr Index pack_size = 8;
 
 /// What a pack reads of a component that a run in fewer dimensions lacks.
 inline constexpr std::array<double, pack_size> pack_of_zeros{};

@@ -6,6 +6,7 @@
 #include <scree/mpm/point_transfer.hpp>
 #include <scree/mpm/shapes.hpp>
 #include <scree/mpm/transfers.hpp>
+#include <scree/pack_size.hpp>
 
 /// What the library hands to its kernels: bare arrays and numbers, nothing that has code of its own.
 namespace scree::mpm {
@@ -43,14 +44,15 @@ struct TileNodes {
 };
 
 /// The columns of a block's points, bare: components are `stride` apart.
-template <int D, int V>
+/// @tparam Value double, or const double of points that do not change
+template <int D, int V, class Value>
 struct PointColumns {
-  double* position = nullptr;
-  double* velocity = nullptr;
-  double* velocity_gradient = nullptr;
+  Value* position = nullptr;
+  Value* velocity = nullptr;
+  Value* velocity_gradient = nullptr;
   const double* stress = nullptr;
   const double* mass = nullptr;
-  double* density = nullptr;
+  Value* density = nullptr;
   Index stride = 0;
   Index begin = 0;
   Index end = 0;
@@ -59,10 +61,10 @@ struct PointColumns {
 /// The loops over a block's points, for one shape and one rule, compiled for one instruction set.
 template <int D, int V>
 struct TransferKernels {
-  void (*scatter)(const AnyShape&, const PointColumns<D, V>&, const BlockPlace<D>&,
+  void (*scatter)(const AnyShape&, const PointColumns<D, V, const double>&, const BlockPlace<D>&,
                   const TileNodes<D, double>&, double dt) noexcept;
-  BlockMotion (*gather)(const AnyShape&, const AnyTransfer&, const PointColumns<D, V>&, const BlockPlace<D>&,
-                        const TileNodes<D, const double>&, double dt) noexcept;
+  BlockMotion (*gather)(const AnyShape&, const AnyTransfer&, const PointColumns<D, V, double>&,
+                        const BlockPlace<D>&, const TileNodes<D, const double>&, double dt) noexcept;
 };
 
 // clang-format off

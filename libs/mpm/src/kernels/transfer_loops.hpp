@@ -67,8 +67,8 @@ inline void for_each_run(const TileNodes<D, Value>& nodes, Body&& body) noexcept
   }
 }
 
-template <int D, int V>
-[[nodiscard]] inline Point<Pack, D, V> load(const PointColumns<D, V>& columns, Index p) noexcept {
+template <int D, int V, class Value>
+[[nodiscard]] inline Point<Pack, D, V> load(const PointColumns<D, V, Value>& columns, Index p) noexcept {
   Point<Pack, D, V> point;
   for (int j = 0; j < D; ++j) {
     const auto axis = static_cast<std::size_t>(j);
@@ -89,7 +89,8 @@ template <int D, int V>
 }
 
 template <int D, int V>
-inline void store(const Point<Pack, D, V>& point, const PointColumns<D, V>& columns, Index p) noexcept {
+inline void store(const Point<Pack, D, V>& point, const PointColumns<D, V, double>& columns,
+                  Index p) noexcept {
   for (int j = 0; j < D; ++j) {
     const auto axis = static_cast<std::size_t>(j);
     point.position[axis].store(columns.position + j * columns.stride + p);
@@ -195,7 +196,7 @@ inline void scatter_lane(const PackStencils<D, S>& stencils, const PackGiven<D, 
 }
 
 template <int D, int V, Shape ShapeType, TransferRule Rule>
-SCREE_KERNEL void scatter(const AnyShape& any_shape, const PointColumns<D, V>& columns,
+SCREE_KERNEL void scatter(const AnyShape& any_shape, const PointColumns<D, V, const double>& columns,
                           const BlockPlace<D>& place, const TileNodes<D, double>& nodes, double dt) noexcept {
   using TileType = Tile<D, ShapeType::support, Rule>;
   const auto shape = *std::get_if<ShapeType>(&any_shape);
@@ -287,7 +288,7 @@ class MotionOfPacks {
 
 template <int D, int V, Shape ShapeType, TransferRule Rule>
 SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& any_rule,
-                                const PointColumns<D, V>& columns, const BlockPlace<D>& place,
+                                const PointColumns<D, V, double>& columns, const BlockPlace<D>& place,
                                 const TileNodes<D, const double>& nodes, double dt) noexcept {
   using TileType = Tile<D, ShapeType::support, Rule>;
   const auto shape = *std::get_if<ShapeType>(&any_shape);

@@ -17,7 +17,4 @@ inline constexpr Index block_edge = D == 1         ? 32
 /// The widest stencil of momentum, of cubic splines [nodes].
 inline constexpr std::size_t max_support = 4;
 
-/// Points of one block fill whole packs of this many.
-inline constexpr Index pack_size = 8;
-
 }  // namespace scree::mpm

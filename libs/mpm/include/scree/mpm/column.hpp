@@ -1,10 +1,11 @@
 #pragma once
 
+#include <scree/aligned.hpp>
 #include <scree/quantity.hpp>
 #include <scree/tensor.hpp>
 
+#include <cstddef>
 #include <span>
-#include <vector>
 
 namespace scree::mpm {
 
@@ -28,6 +29,9 @@ class Column {
   [[nodiscard]] std::span<double> values() noexcept { return values_; }
   [[nodiscard]] std::span<const double> values() const noexcept { return values_; }
 
+  /// Memory that is held, in use or not [bytes].
+  [[nodiscard]] std::size_t held_bytes() const noexcept { return values_.capacity() * sizeof(double); }
+
   /// Gives the column `size` points, all zero.
   void resize(Index size);
 
@@ -38,8 +42,7 @@ class Column {
   Quantity quantity_;
   int num_components_;
   Index size_ = 0;
-  std::vector<double> values_;
-  std::vector<double> scratch_;
+  AlignedVector<double> values_;
 };
 
 }  // namespace scree::mpm

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/aligned.hpp>
 #include <scree/grid.hpp>
 #include <scree/mpm/node_record.hpp>
 
@@ -98,7 +99,7 @@ class Nodes {
   Indices<D> first_{};
   Indices<D> count_{};
   Indices<D> stride_{};
-  std::vector<double> values_;
+  AlignedVector<double> values_;
   std::vector<NodeRun> runs_;
   std::vector<std::size_t> batches_;  ///< the first run of each, and one past the last
   std::array<std::array<std::vector<Index>, 2>, static_cast<std::size_t>(D)> images_;

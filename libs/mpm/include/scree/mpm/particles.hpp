@@ -82,6 +82,13 @@ class Particles {
     const_cast<Particles*>(this)->for_each_column([&](const Column& column) { visit(column); });
   }
 
+  /// Memory that all columns hold, in use or not [bytes].
+  [[nodiscard]] std::size_t held_bytes() const {
+    std::size_t held = 0;
+    for_each_column([&](const Column& column) { held += column.held_bytes(); });
+    return held;
+  }
+
   /// Memory of one point, all columns together [bytes].
   [[nodiscard]] std::size_t bytes_per_particle() const {
     std::size_t components = 0;

@@ -17,7 +17,6 @@
 namespace scree::mpm {
 
 using scree::BlockStiffness;
-static_assert(pack_size % scree::pack_size == 0);  // blocks are whole packs of laws' kernels too
 
 /// Brings the stress of a block's points up to date with their motion; the law is chosen once, in here.
 template <int D, int V>
@@ -101,7 +100,7 @@ class StressUpdateBy final : public StressUpdate<D, V> {
 
   BlockStiffness apply(Particles<D, V>& particles, const ParticleBlock<D>& block,
                        double dt) const noexcept override {
-    SCREE_ASSERT((block.end - block.begin) % scree::pack_size == 0);
+    SCREE_ASSERT((block.end - block.begin) % pack_size == 0);
     BlockStiffness worst = kernel_(law_, columns_of(particles, block), dt);
     if (worst.unsolved > 0) worst.unsolved_point += block.begin;
     return worst;
