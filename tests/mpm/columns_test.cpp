@@ -231,5 +231,16 @@ TEST(Basin, IsNotMendedByMeansOverCells) {  // Eqs. (M131), (M132)
   EXPECT_GT(basin_at_rest(Quadratic{}, Apic{}, {.pressure = true}).pressure_error, without);
 }
 
+TEST(Basin, IsShakenByMeansOverCellsUnderFlip) {  // Eqs. (M131), (M132)
+  // Means see no motion that keeps the volume of cells but not of points, so nothing resists it, and FLIP
+  // keeps what of it the nodes do not see. APIC, the remedy, loses it: what moves is the topmost cell's part,
+  // as without means.
+  constexpr double of_topmost_cell = 0.5 / num_layers * compression;
+  for (const Averaging& averaging : {Averaging{.volume_change = true}, Averaging{.pressure = true}}) {
+    EXPECT_GT(basin_at_rest(Quadratic{}, PicFlip{1}, averaging).largest_speed, 10 * of_topmost_cell);
+    EXPECT_LE(basin_at_rest(Quadratic{}, Apic{}, averaging).largest_speed, of_topmost_cell);
+  }
+}
+
 }  // namespace
 }  // namespace scree::mpm
