@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 namespace scree::rheology {
@@ -24,6 +25,21 @@ TEST(ChooseViscousMethod, TakesTheCheapestByTheRatioOfSteps) {  // Eq. (R144)
     const double threshold = dimension == 2 ? 5000 : 10000;
     EXPECT_EQ(method(0.99 * threshold, dimension), ViscousMethod::rkl2);
     EXPECT_EQ(method(1.01 * threshold, dimension), ViscousMethod::implicit);
+  }
+}
+
+/// A solve that costs as much as n linear ones is worth n times as many stages, so a ratio of n^2 times.
+TEST(ChooseViscousMethod, CountsTheSolvesOfNewtonsMethod) {  // Eqs. (R142), (R144)
+  const auto method = [](double ratio, int dimension) {
+    return choose_viscous_method(ratio * 1e-3, 1e-3, dimension, ViscosityIs::of_velocity).method;
+  };
+  const std::array<double, 3> threshold{5 * 36, 5000 * 9, 10000 * 4};
+  for (const int dimension : {1, 2, 3}) {
+    const double at = threshold[static_cast<std::size_t>(dimension - 1)];
+    EXPECT_EQ(method(2.99, dimension), ViscousMethod::explicit_steps);
+    EXPECT_EQ(method(5.01, dimension), ViscousMethod::rkl2);
+    EXPECT_EQ(method(0.99 * at, dimension), ViscousMethod::rkl2);
+    EXPECT_EQ(method(1.01 * at, dimension), ViscousMethod::implicit);
   }
 }
 
