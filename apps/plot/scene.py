@@ -16,9 +16,9 @@ def normal_component(scene: dict[str, Any]) -> int:
 
 
 def depth_range(scene: dict[str, Any]) -> tuple[float, float]:
-    """Lowest and highest height of the material at the start [m]; of regions, those of the mesh."""
+    """Lowest and highest height of the material at the start [m]; of regions and streams, those of the mesh."""
     normal = normal_component(scene)
-    if "regions" in scene["material"]:
+    if "regions" in scene.get("material", {"regions": []}):
         return 0.0, scene["mesh"]["size"][normal]
     return scene["material"]["low"][normal], scene["material"]["high"][normal]
 
@@ -32,7 +32,7 @@ def layer_edges(scene: dict[str, Any]) -> np.ndarray:
 def point_spacing(scene: dict[str, Any]) -> float:
     """Distance of the material points along y at the start [m]."""
     edges = layer_edges(scene)
-    return (edges[1] - edges[0]) / scene["material"].get("points_per_cell", 3)
+    return (edges[1] - edges[0]) / scene.get("material", {}).get("points_per_cell", 3)
 
 
 def diameter_range(scene: dict[str, Any]) -> tuple[float, float] | None:

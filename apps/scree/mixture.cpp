@@ -24,12 +24,13 @@ Mixture::Mixture(const Scene& scene)
 }
 
 template <int D, int V>
-void Mixture::add_to(mpm::Particles<D, V>& particles) {
-  const std::size_t fractions =
-      particles.add_column({std::string{fraction_column}, "Phi", "-"}, static_cast<int>(initial_.size()));
-  for (std::size_t k = 0; k < initial_.size(); ++k) {
-    double* phi = particles.column(fractions).component(static_cast<int>(k));
-    std::fill(phi, phi + particles.size(), initial_[k]);
+void Mixture::add_to(mpm::Particles<D, V>& particles, const std::vector<double>& fractions) {
+  const std::vector<double>& initial = fractions.empty() ? initial_ : fractions;
+  const std::size_t column =
+      particles.add_column({std::string{fraction_column}, "Phi", "-"}, static_cast<int>(initial.size()));
+  for (std::size_t k = 0; k < initial.size(); ++k) {
+    double* phi = particles.column(column).component(static_cast<int>(k));
+    std::fill(phi, phi + particles.size(), initial[k]);
   }
   for (const Follower& follower : followers_) particles.add_column(follower.quantity, 1);
   update(particles);
@@ -63,8 +64,8 @@ void Mixture::follow(const grainsize::CompressiblePacking& packing, const mpm::C
   }
 }
 
-#define SCREE_INSTANCE(D, V)                            \
-  template void Mixture::add_to(mpm::Particles<D, V>&); \
+#define SCREE_INSTANCE(D, V)                                                        \
+  template void Mixture::add_to(mpm::Particles<D, V>&, const std::vector<double>&); \
   template void Mixture::update(mpm::Particles<D, V>&);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE

@@ -25,9 +25,10 @@ class Mixture {
   /// @param scene with grains
   explicit Mixture(const Scene& scene);
 
-  /// Gives every point the fractions of the scene, and the columns that follow from them.
+  /// Gives every point the fractions of the scene, or others, and the columns that follow from them.
+  /// @param fractions one per class [-]; none: those of the scene
   template <int D, int V>
-  void add_to(mpm::Particles<D, V>& particles);
+  void add_to(mpm::Particles<D, V>& particles, const std::vector<double>& fractions = {});
 
   /// Lets these columns follow the fractions of every point.
   template <int D, int V>

@@ -27,22 +27,6 @@ void check_inside(const TomlTable& table, std::string_view key, double value, co
               fmt::format("reaches out of the mesh, which ends at {:g} m along {}", mesh.size[axis], name));
 }
 
-[[nodiscard]] BoxRegion read_box(const TomlTable& table, const MeshScene& mesh) {
-  BoxRegion box;
-  const auto dimensions = static_cast<std::size_t>(mesh.dimensions);
-  box.low = table.numbers("low", "lowest corner of the material [m]", io::any_value(), dimensions);
-  box.high = table.numbers("high", "highest corner of the material [m]", io::any_value(), dimensions);
-  if (!table.is_sound("low") || !table.is_sound("high")) return box;
-  for (std::size_t d = 0; d < dimensions; ++d) {
-    table.check(
-        box.low[d] < box.high[d], {"high", "low"},
-        fmt::format("must exceed low, which is {:g} m along {}", box.low[d], axis_names(mesh.dimensions)[d]));
-    check_inside(table, "low", box.low[d], mesh, d);
-    check_inside(table, "high", box.high[d], mesh, d);
-  }
-  return box;
-}
-
 [[nodiscard]] PolygonRegion read_polygon(const TomlTable& table, const MeshScene& mesh) {
   PolygonRegion polygon;
   table.check(mesh.dimensions > 1, {"shape"}, "is for meshes of 2 or 3 dimensions");
@@ -121,7 +105,7 @@ void read_regions(const TomlTable& table, const Scene& scene, const MapPlace& te
   for (const TomlTable& region : table.tables("regions")) {
     const std::string shape = region.choice("shape", "of the region", shapes);
     if (!region.is_sound("shape")) continue;
-    if (shape == "box") material.regions.emplace_back(read_box(region, scene.mesh));
+    if (shape == "box") material.regions.emplace_back(read_box(region, scene.mesh, "material"));
     if (shape == "polygon") material.regions.emplace_back(read_polygon(region, scene.mesh));
     if (shape == "layer") material.regions.emplace_back(read_layer(region, scene.mesh));
     if (shape == "release") {
@@ -149,6 +133,23 @@ void bound(const MeshScene& mesh, MaterialScene& material) {
 
 }  // namespace
 
+BoxRegion read_box(const TomlTable& table, const MeshScene& mesh, std::string_view of) {
+  BoxRegion box;
+  const auto dimensions = static_cast<std::size_t>(mesh.dimensions);
+  box.low = table.numbers("low", fmt::format("lowest corner of the {} [m]", of), io::any_value(), dimensions);
+  box.high =
+      table.numbers("high", fmt::format("highest corner of the {} [m]", of), io::any_value(), dimensions);
+  if (!table.is_sound("low") || !table.is_sound("high")) return box;
+  for (std::size_t d = 0; d < dimensions; ++d) {
+    table.check(
+        box.low[d] < box.high[d], {"high", "low"},
+        fmt::format("must exceed low, which is {:g} m along {}", box.low[d], axis_names(mesh.dimensions)[d]));
+    check_inside(table, "low", box.low[d], mesh, d);
+    check_inside(table, "high", box.high[d], mesh, d);
+  }
+  return box;
+}
+
 MaterialScene read_material(const TomlTable& table, const Scene& scene, const MapPlace& terrain_place,
                             SceneFiles& files) {
   constexpr std::array<std::string_view, 2> layouts{"regular", "random"};
@@ -157,7 +158,7 @@ MaterialScene read_material(const TomlTable& table, const Scene& scene, const Ma
     read_regions(table, scene, terrain_place, files, material);
     bound(scene.mesh, material);
   } else {
-    BoxRegion box = read_box(table, scene.mesh);
+    BoxRegion box = read_box(table, scene.mesh, "material");
     material.low = std::move(box.low);
     material.high = std::move(box.high);
   }

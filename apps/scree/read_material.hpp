@@ -13,4 +13,8 @@ namespace scree::app {
 [[nodiscard]] MaterialScene read_material(const io::TomlTable& table, const Scene& scene,
                                           const MapPlace& terrain_place, SceneFiles& files);
 
+/// Corners of a box inside the mesh.
+/// @param of what the box is, for people
+[[nodiscard]] BoxRegion read_box(const io::TomlTable& table, const MeshScene& mesh, std::string_view of);
+
 }  // namespace scree::app

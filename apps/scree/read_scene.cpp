@@ -6,8 +6,10 @@
 #include "scree/read_ground.hpp"
 #include "scree/read_material.hpp"
 #include "scree/read_models.hpp"
+#include "scree/read_streams.hpp"
 #include "scree/read_walls.hpp"
 #include "scree/scene.hpp"
+#include "scree/streams.hpp"
 
 #include <scree/io/toml_reader.hpp>
 
@@ -15,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace scree::app {
 
@@ -133,6 +136,8 @@ void read_numerics(const TomlTable& table, Scene& scene) {
               "viscosity is implicit for walls without friction only");
   table.check(viscosity == "explicit" || (!scene.terrain && scene.bodies.empty()), {"viscosity"},
               "viscosity is implicit without terrain and bodies only");
+  table.check(viscosity == "explicit" || scene.inflows.empty(), {"viscosity"},
+              "viscosity is implicit without [[inflow]] only");
   const io::Bounds share{0, 1, true, false};
   mpm::TimeStepOptions& options = scene.time_step;
   options.acoustic =
@@ -180,14 +185,36 @@ void read_numerics(const TomlTable& table, Scene& scene) {
   return map != nullptr ? map->place : triangles != nullptr ? triangles->place : MapPlace{};
 }
 
+/// What enters and what is taken away. Without material the streams have to bring it.
+void read_streams(const TomlTable& root, Scene& scene) {
+  scene.inflows = read_inflows(root.tables("inflow"), scene);
+  scene.outflows = read_outflows(root.tables("outflow"), scene);
+  MaterialScene& material = scene.material;
+  if (!material.is_absent) return;
+  const bool begins = std::ranges::any_of(scene.inflows, begins_full);
+  if (!begins) root.add_fault("inflow", "without [material] one must have start = 0");
+  material.low.assign(scene.mesh.size.size(), std::numeric_limits<double>::infinity());
+  material.high.assign(scene.mesh.size.size(), 0.0);
+  for (const InflowScene& inflow : scene.inflows) {
+    for (std::size_t d = 0; d < std::min(inflow.low.size(), inflow.high.size()); ++d) {
+      material.low[d] = std::min(material.low[d], inflow.low[d]);
+      material.high[d] = std::max(material.high[d], inflow.high[d]);
+    }
+  }
+}
+
 /// The ground, the material on it, and all else that touches material: by what each needs of the others.
 void read_surroundings(const TomlTable& root, Scene& scene, SceneFiles& files) {
   if (root.has("terrain")) scene.terrain = read_terrain(root.table("terrain"), scene, files);
-  scene.material = read_material(root.table("material"), scene, map_place_of(scene), files);
+  scene.material.is_absent = !root.has("material") && root.has("inflow");
+  if (!scene.material.is_absent) {
+    scene.material = read_material(root.table("material"), scene, map_place_of(scene), files);
+  }
   scene.bodies = read_bodies(root.tables("bodies"), scene, files);
   const TomlTable boundaries = root.table("boundaries");
   scene.axes = read_axes(boundaries, scene);
   scene.leaving = read_leaving(boundaries);
+  read_streams(root, scene);
 }
 
 /// What flow round an axis does not go with.

@@ -10,7 +10,7 @@ namespace scree::app {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 2;
+constexpr std::int64_t checkpoint_version = 3;
 
 [[nodiscard]] std::string entry_of(const mpm::Column& column) {
   return "column_" + column.quantity().name;
@@ -56,12 +56,8 @@ void for_each_number(SimulationType& simulation, Visit&& visit) {
   visit("advection_rate", simulation.state.rates.advection_rate);
   visit("relaxation_rate", simulation.state.rates.relaxation_rate);
   visit("mass_floor", simulation.state.mass_floor);
-  auto& absorbed = simulation.state.absorbed;
-  visit("absorbed_points", absorbed.count);
-  visit("absorbed_mass", absorbed.mass);
-  for (std::size_t i = 0; i < absorbed.momentum.size(); ++i) {
-    visit("absorbed_momentum_" + std::to_string(i + 1), absorbed.momentum[i]);
-  }
+  visit("next_id", simulation.state.next_id);
+  visit("first_mass", simulation.tally.first_mass);
   visit("segregation_steps", simulation.tally.segregation_steps);
   visit("segregation_substeps", simulation.tally.segregation_substeps);
   visit("lowest_fraction", simulation.tally.fractions.lowest);
@@ -70,6 +66,53 @@ void for_each_number(SimulationType& simulation, Visit&& visit) {
   for (std::size_t i = 0; i < mpm::limit_names.size(); ++i) {
     visit("steps_by_" + std::string{mpm::limit_names[i]}, simulation.tally.steps_by_limit[i]);
   }
+}
+
+/// Calls visit(sums) for what has been absorbed, and for what each outflow has taken.
+template <class SimulationType, class Visit>
+void for_each_passed(SimulationType& simulation, Visit&& visit) {
+  visit(simulation.state.absorbed);
+  for (auto& taken : simulation.streams.taken) visit(taken);
+}
+
+/// Layers that have entered by each inflow; what has left, and of which classes.
+template <int D, int V>
+void write_streams(const Simulation<D, V>& simulation, io::CheckpointWriter& writer) {
+  std::vector<std::int64_t> layers;
+  for (const auto& inflow : simulation.streams.inflows) layers.push_back(inflow.num_layers());
+  std::vector<std::int64_t> points;
+  std::vector<double> sums;
+  for_each_passed(simulation, [&](const mpm::Passed<V>& passed) {
+    points.push_back(passed.count);
+    sums.push_back(passed.mass);
+    sums.insert(sums.end(), passed.momentum.begin(), passed.momentum.end());
+    std::vector<double> carried = passed.carried;
+    carried.resize(simulation.tally.first_class_masses.size());
+    sums.insert(sums.end(), carried.begin(), carried.end());
+  });
+  writer.add("inflow_layers", std::span<const std::int64_t>{layers});
+  writer.add("left_points", std::span<const std::int64_t>{points});
+  writer.add("left_sums", std::span<const double>{sums});
+}
+
+template <int D, int V>
+void read_streams(Simulation<D, V>& simulation, const io::Checkpoint& checkpoint) {
+  Streams<D, V>& streams = simulation.streams;
+  const auto layers = checkpoint.integers("inflow_layers", static_cast<Index>(streams.inflows.size()));
+  for (std::size_t i = 0; i < layers.size(); ++i) streams.inflows[i].resume(layers[i]);
+  const std::size_t num_classes = simulation.tally.first_class_masses.size();
+  const auto num_passed = static_cast<Index>(1 + streams.taken.size());
+  const auto points = checkpoint.integers("left_points", num_passed);
+  const auto sums = checkpoint.doubles("left_sums", num_passed * static_cast<Index>(1 + V + num_classes));
+  auto count = points.begin();
+  auto sum = sums.begin();
+  for_each_passed(simulation, [&](mpm::Passed<V>& passed) {
+    passed.count = *count++;
+    passed.mass = *sum++;
+    for (double& momentum : passed.momentum) momentum = *sum++;
+    passed.carried.assign(sum, sum + static_cast<std::ptrdiff_t>(num_classes));
+    sum += static_cast<std::ptrdiff_t>(num_classes);
+  });
 }
 
 template <int D, int V>
@@ -98,6 +141,7 @@ void write_checkpoint(const Simulation<D, V>& simulation, const std::filesystem:
   writer.add("velocity_components", std::int64_t{V});
   for_each_number(simulation, [&](const std::string& name, const auto& number) { writer.add(name, number); });
   writer.add("first_class_masses", std::span<const double>{simulation.tally.first_class_masses});
+  write_streams(simulation, writer);
   writer.add("blocks", std::span<const std::int64_t>{flattened(simulation.state.blocks)});
   simulation.state.particles.for_each_column(
       [&](const mpm::Column& column) { writer.add(entry_of(column), column.values()); });
@@ -118,6 +162,7 @@ void read_checkpoint_into(Simulation<D, V>& simulation, const std::filesystem::p
   auto& tally = simulation.tally;
   tally.first_class_masses =
       checkpoint.doubles("first_class_masses", static_cast<Index>(tally.first_class_masses.size()));
+  read_streams(simulation, checkpoint);
   auto& state = simulation.state;
   state.blocks = unflattened<D>(checkpoint.integers("blocks", checkpoint.length("blocks")));
   const Index size = checkpoint.length(entry_of(state.particles.mass));

@@ -42,8 +42,6 @@ class RunOnDisk {
         scene_text_{scene.text},
         simulation_{scene.scene, options.threads},
         frames_{open_frames()},
-        num_points_{static_cast<double>(simulation_.num_points())},
-        first_step_{simulation_.clock.step},
         progress_{options.is_quiet, simulation_.clock.time} {
     io::replace_file(options.directory / "scene.toml", scene.text);
     keep_files(scene.files, options.directory);
@@ -98,7 +96,7 @@ class RunOnDisk {
 
   [[nodiscard]] Standing standing() const {
     return {simulation_.clock.time, simulation_.scene().end, simulation_.next_step(),
-            num_points_ * static_cast<double>(simulation_.clock.step - first_step_)};
+            simulation_.point_updates()};
   }
 
   void finish(Outcome outcome) {
@@ -112,9 +110,8 @@ class RunOnDisk {
                  simulation_.clock.step, simulation_.clock.time, failure_, options_.directory.string());
     }
     try {
-      io::replace_file(
-          options_.directory / "summary.json",
-          summary_json(simulation_, progress_.seconds(), simulation_.clock.step - first_step_, word));
+      io::replace_file(options_.directory / "summary.json",
+                       summary_json(simulation_, progress_.seconds(), word));
     } catch (const RunError& error) {
       fmt::print(stderr, "scree: {}\n", error.what());
     }
@@ -124,8 +121,6 @@ class RunOnDisk {
   std::string scene_text_;
   Simulation<D, V> simulation_;
   io::FrameWriter frames_;
-  double num_points_;
-  std::int64_t first_step_;
   Progress progress_;
   double next_checkpoint_ = 0;  // [s]
   std::string failure_;

@@ -151,6 +151,24 @@ struct MaterialScene {
   Index points_per_cell = 3;                 ///< along each axis
   std::optional<std::uint64_t> random_seed;  ///< points lie anywhere in their shares of a cell
   double surface_pressure = 0;               ///< on the top of it [Pa]
+  bool is_absent = false;                    ///< all that there is enters: the box is round where it does
+};
+
+/// A stream that enters through a box, as dense as the law is without pressure.
+struct InflowScene {
+  std::vector<double> low;        ///< corners of the box [m]
+  std::vector<double> high;       ///< [m]
+  std::vector<double> velocity;   ///< along one axis of the mesh [m/s]
+  Index points_per_cell = 3;      ///< along each axis
+  std::vector<double> fractions;  ///< of its grains; none: those of the scene [-]
+  double start = 0;               ///< [s]; at the start of a run the box is full
+  double stop = 0;                ///< [s]
+};
+
+/// A box that takes away what enters it.
+struct OutflowScene {
+  std::vector<double> low;   ///< [m]
+  std::vector<double> high;  ///< [m]
 };
 
 struct GravityScene {
@@ -211,6 +229,8 @@ struct Scene {
   std::optional<TerrainScene> terrain;
   std::vector<BodyScene> bodies;
   MaterialScene material;
+  std::vector<InflowScene> inflows;
+  std::vector<OutflowScene> outflows;
   GravityScene gravity;
   rheology::AnyLaw law;
   std::vector<InitialScene> initial;

@@ -6,9 +6,11 @@
 #include "scree/ground.hpp"
 #include "scree/leaving_text.hpp"
 #include "scree/node_viscosity.hpp"
+#include "scree/streams.hpp"
 #include "scree/walls.hpp"
 
 #include <scree/io/bounds.hpp>
+#include <scree/mpm/append.hpp>
 #include <scree/mpm/axisymmetric.hpp>
 #include <scree/mpm/geostatic.hpp>
 #include <scree/mpm/seed_region.hpp>
@@ -18,6 +20,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace scree::app {
 
@@ -59,10 +62,14 @@ template <int D>
   return {};
 }
 
-/// What holds material: ground and bodies first, so that the walls of the mesh have the last word.
-template <int D>
-[[nodiscard]] std::vector<std::unique_ptr<mpm::Boundary<D>>> make_boundaries(
-    const Scene& scene, const CartesianGrid<D>& grid, const mpm::AnySurface<D>& ground) {
+/// What holds material: ground and bodies first, so that the walls of the mesh have the last word but for the
+/// boxes that streams enter by.
+/// @param reach of the shape function [spacings]
+template <int D, int V>
+[[nodiscard]] std::vector<std::unique_ptr<mpm::Boundary<D>>> make_boundaries(const Scene& scene,
+                                                                             const CartesianGrid<D>& grid,
+                                                                             const mpm::AnySurface<D>& ground,
+                                                                             double reach) {
   std::vector<std::unique_ptr<mpm::Boundary<D>>> boundaries;
   if constexpr (D > 1) {
     if (ground) boundaries.push_back(make_terrain<D>(*scene.terrain, ground, grid));
@@ -73,6 +80,9 @@ template <int D>
     if (ends.is_periodic) continue;
     boundaries.push_back(make_boundary<D>(ends.low, axis, mpm::Side::low));
     boundaries.push_back(make_boundary<D>(ends.high, axis, mpm::Side::high));
+  }
+  for (const InflowScene& inflow : scene.inflows) {
+    boundaries.push_back(mpm::make_inflow_hold(stream_of<D, V>(scene, inflow), grid, reach));
   }
   std::erase(boundaries, nullptr);
   return boundaries;
@@ -92,11 +102,40 @@ void require_clear_of_bodies(const Scene& scene, const mpm::Particles<D, V>& par
   }
 }
 
+/// Points in the box of a stream, clear of ground and bodies.
 template <int D, int V>
-[[nodiscard]] mpm::Particles<D, V> make_particles(const Scene& scene, const Filling<D>& filling) {
-  auto particles = filling.template points<V>();
+[[nodiscard]] mpm::Particles<D, V> box_of_stream(const Scene& scene, std::size_t number,
+                                                 const CartesianGrid<D>& grid,
+                                                 const mpm::AnySurface<D>& ground) {
+  auto points = mpm::fill_box(stream_of<D, V>(scene, scene.inflows[number]), grid);
+  try {
+    if (ground) mpm::require_above(points, ground);
+    require_clear_of_bodies(scene, points);
+  } catch (const InputError& error) {
+    throw InputError{"[[inflow]] " + std::to_string(number + 1) + ": " + error.what()};
+  }
+  if (scene.grains) Mixture{scene}.add_to(points, scene.inflows[number].fractions);
+  return points;
+}
+
+/// The material, and streams that enter from the start.
+template <int D, int V>
+[[nodiscard]] mpm::Particles<D, V> make_particles(const Scene& scene, const Filling<D>& filling,
+                                                  const CartesianGrid<D>& grid,
+                                                  const mpm::AnySurface<D>& ground) {
+  mpm::Particles<D, V> particles;
+  if (!scene.material.is_absent) particles = filling.template points<V>();
   require_clear_of_bodies(scene, particles);
+  require_clear_of_streams(scene, particles);
   if (scene.grains) Mixture{scene}.add_to(particles);
+  for (std::size_t i = 0; i < scene.inflows.size(); ++i) {
+    const auto box = box_of_stream<D, V>(scene, i, grid, ground);
+    if (begins_full(scene.inflows[i])) mpm::append(particles, box);
+  }
+  if (!scene.inflows.empty()) {
+    double number = 0;
+    for (double& id : particles.id.values()) id = number++;
+  }
   return particles;
 }
 
@@ -121,6 +160,7 @@ template <int D, int V>
   stages.averaging = scene.averaging;
   if (scene.xpic_order > 0) stages.xpic = mpm::make_xpic<D, V>(scene.shape, scene.xpic_order);
   stages.leaving = scene.leaving;
+  stages.balanced = particles.column_named(fraction_column);
   stages.gravity = gravity_of<V>(scene.gravity, D);
   return stages;
 }
@@ -152,7 +192,7 @@ void settle(const Scene& scene, const Filling<D>& filling, const mpm::Stages<D, 
               "' has no density at which it bears this pressure [Pa], as the top of the material does at the "
               "start; give another");
   const std::function<double(const Vector<D>&)> top = [&](const Vector<D>& x) {
-    return filling.top_above(x);
+    return surface_above(scene, filling, x);
   };
   mpm::set_geostatic(particles, *stages.stress, normal, top, gravity, pressure);
 }
@@ -164,9 +204,9 @@ template <int D, int V>
   const CartesianGrid<D> grid = make_grid<D>(scene);
   const mpm::AnySurface<D> ground = ground_of<D>(scene);
   const Filling<D> filling{scene, grid, ground};
-  auto particles = make_particles<D, V>(scene, filling);
+  auto particles = make_particles<D, V>(scene, filling, grid, ground);
   stages = make_stages(scene, grid, particles);
-  stages.boundaries = make_boundaries(scene, grid, ground);
+  stages.boundaries = make_boundaries<D, V>(scene, grid, ground, 1 + stages.transfer->stencil_shift());
   settle(scene, filling, stages, particles);
   note = choose_viscosity(scene, grid, particles, stages, threads);
   return mpm::start(std::move(particles), grid, stages, threads);
@@ -182,8 +222,16 @@ template <int D, int V>
 
 template <int D, int V>
 Simulation<D, V>::Simulation(const Scene& scene, Threads threads)
-    : scene_{scene}, threads_{threads}, state{make_state<D, V>(scene_, stages_, viscosity_note_, threads)} {
+    : scene_{scene},
+      threads_{threads},
+      most_threads_{threads},
+      state{make_state<D, V>(scene_, stages_, viscosity_note_, threads)} {
   threads_ = useful(threads, state.particles.size());
+  const auto masses = state.particles.mass.values();
+  tally.first_mass = std::accumulate(masses.begin(), masses.end(), 0.0);
+  for (const InflowScene& inflow : scene_.inflows) streams.inflows.push_back(make_inflow(inflow));
+  streams.outflows = outflows_of<D>(scene_, grid());
+  streams.taken.resize(streams.outflows.size());
   if (!scene_.grains) return;
   mixture_.emplace(scene_);
   if (scene_.segregation) {
@@ -197,6 +245,21 @@ Simulation<D, V>::Simulation(const Scene& scene, Threads threads)
   }
   observe_fractions(state.particles, tally.fractions);
   tally.first_class_masses = class_masses(state.particles);
+}
+
+/// Its layer goes through all that gives points of the run their columns.
+template <int D, int V>
+mpm::Inflow<D, V> Simulation<D, V>::make_inflow(const InflowScene& inflow) const {
+  const mpm::Stream<D, V> stream = stream_of<D, V>(scene_, inflow);
+  auto layer = mpm::first_layer(stream, grid());
+  if (scene_.grains) Mixture{scene_}.add_to(layer, inflow.fractions);
+  const mpm::Stages<D, V> stages = make_stages(scene_, grid(), layer);
+  settle(scene_, Filling<D>{scene_, grid(), ground_of<D>(scene_)}, stages, layer);
+  if (scene_.grains && crushes(scene_.law)) {
+    const Crushing<D, V> crushing{layer, *scene_.grains, scene_.mixture.ultimate_fractal_dimension};
+    if (crushing.advance(layer)) Mixture{scene_}.update(layer);
+  }
+  return {stream, grid(), std::move(layer)};
 }
 
 template <int D, int V>
@@ -221,7 +284,8 @@ template <int D, int V>
 std::string Simulation<D, V>::too_few_points() const {
   constexpr Index wanted = Index{1} << D;  // two along each axis
   const mpm::CellFilling filling = mpm::cell_filling(state.particles, grid(), wanted);
-  if (2 * filling.num_too_few <= filling.num_filled) return {};
+  const std::string streams_too = too_thin_streams(scene_);
+  if (2 * filling.num_too_few <= filling.num_filled || !streams_too.empty()) return streams_too;
   return std::to_string(filling.num_too_few) + " of " + std::to_string(filling.num_filled) +
          " cells with material hold fewer than " + std::to_string(wanted) +
          " points, which carry stress badly: give more [material] points_per_cell, or material more cells";
@@ -245,8 +309,11 @@ double Simulation<D, V>::next_frame_time() const noexcept {
 
 template <int D, int V>
 mpm::TimeStep Simulation<D, V>::next_step() const {
-  if (state.particles.size() == 0)
-    return {next_frame_time() - clock.time, mpm::Limit::output};  // all have left
+  if (state.particles.size() == 0) {  // all have left
+    double dt = next_frame_time() - clock.time;
+    for (const auto& inflow : streams.inflows) dt = std::min(dt, inflow.longest_step(clock.moved));
+    return {dt, mpm::Limit::output};
+  }
   return mpm::stable_time_step(grid(), state.rates, scene_.time_step);
 }
 
@@ -254,6 +321,7 @@ template <int D, int V>
 void Simulation<D, V>::require_progress(const mpm::TimeStep& next) {
   constexpr double smallest_share = 1e-4;  // [-], of the first step: a flow that still obeys its limits has
                                            // not sped up by so much
+  if (state.particles.size() == 0) return;
   if (first_dt_ == 0) first_dt_ = next.dt;
   if (next.dt >= smallest_share * first_dt_) return;
   throw RunError{"the stable step has fallen from " + io::to_text(first_dt_) + " to " + io::to_text(next.dt) +
@@ -271,6 +339,27 @@ void Simulation<D, V>::advance(double dt) {
 }
 
 template <int D, int V>
+void Simulation<D, V>::pass_material() {
+  for (auto& inflow : streams.inflows) mpm::take_in(state, stages_, inflow, clock.moved, threads_);
+  for (std::size_t i = 0; i < streams.outflows.size(); ++i) {
+    streams.taken[i] += mpm::take_out(state, streams.outflows[i], stages_.balanced);
+  }
+}
+
+/// Points are counted anew only when their number may have changed.
+template <int D, int V>
+void Simulation<D, V>::count_updates() {
+  const Index passed = state.absorbed.count + streams.num_passed();
+  if (passed != num_passed_) {
+    num_passed_ = passed;
+    num_points_ = num_points();
+    threads_ = useful(most_threads_, state.particles.size());
+    if (num_points_ == 0) state.needs_sort = true;  // those that only fill blocks go
+  }
+  point_updates_ += static_cast<double>(num_points_);
+}
+
+template <int D, int V>
 void Simulation<D, V>::resume() {
   for (const auto& boundary : stages_.boundaries) boundary->advance(clock.moved);
   mpm::resume(state, stages_);
@@ -285,6 +374,8 @@ bool Simulation<D, V>::step() {
   if (reaches_frame) next = {left, mpm::Limit::output};
   advance(next.dt);
   clock.moved += next.dt;
+  pass_material();
+  count_updates();
   if (crushing_ && crushing_->advance(state.particles)) follow_grains();
   clock.time = reaches_frame ? next_frame_time() : clock.time + next.dt;
   ++clock.step;

@@ -4,6 +4,7 @@
 #include "scree/crushing.hpp"
 #include "scree/mixture.hpp"
 #include "scree/scene.hpp"
+#include "scree/streams.hpp"
 
 #include <scree/mpm/step.hpp>
 
@@ -32,6 +33,7 @@ struct Tally {
   std::int64_t segregation_substeps = 0;
   double segregation_seconds = 0;  ///< wall clock
   FractionExtremes fractions;
+  double first_mass = 0;                   ///< [kg]
   std::vector<double> first_class_masses;  ///< [kg]
 };
 
@@ -63,9 +65,12 @@ class Simulation {
   [[nodiscard]] bool is_crushing() const noexcept { return crushing_.has_value(); }
   /// How viscosity is advanced and why, if the scene left that open.
   [[nodiscard]] const std::string& viscosity_note() const noexcept { return viscosity_note_; }
+  /// Material points times steps, since this simulation was made.
+  [[nodiscard]] double point_updates() const noexcept { return point_updates_; }
   /// Material points that weigh something.
   [[nodiscard]] Index num_points() const noexcept;
-  /// What to say if most cells with material hold too few points to carry a stress; else nothing.
+  /// What to say if most cells with material hold too few points to carry a stress, or a stream brings too
+  /// few; else nothing.
   [[nodiscard]] std::string too_few_points() const;
   /// C of every point [-]: the law is ill-posed there if it is positive.
   [[nodiscard]] std::vector<double> stability_numbers() const;
@@ -82,7 +87,14 @@ class Simulation {
   std::optional<Crushing<D, V>> crushing_;
 
   double first_dt_ = 0;  // the first stable step [s]
+  Threads most_threads_;
+  double point_updates_ = 0;
+  Index num_points_ = 0;
+  Index num_passed_ = -1;  // when they were counted
 
+  [[nodiscard]] mpm::Inflow<D, V> make_inflow(const InflowScene& inflow) const;
+  void pass_material();
+  void count_updates();
   void segregate();
   void follow_grains();
   void advance(double dt);
@@ -90,6 +102,7 @@ class Simulation {
 
  public:
   mpm::State<D, V> state;
+  Streams<D, V> streams;
   Clock clock;
   Tally tally;
 };

@@ -7,31 +7,87 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
+#include <vector>
 
 namespace scree::app {
 
+namespace {
+
+[[nodiscard]] double sum_of(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+void add(std::vector<double>& sums, const std::vector<double>& values, double times) {
+  for (std::size_t k = 0; k < values.size(); ++k) sums[k] += times * values[k];
+}
+
+template <int V>
+[[nodiscard]] nlohmann::ordered_json json_of(const mpm::Passed<V>& passed) {
+  return {{"points", passed.count}, {"mass", passed.mass}, {"momentum", passed.momentum}};
+}
+
+/// What began and has entered, and what is there and has left [kg].
+struct Balance {
+  std::vector<double> came;  ///< one per class
+  std::vector<double> is;    ///< one per class
+};
+
+template <int D, int V>
+[[nodiscard]] Balance class_balance(const Simulation<D, V>& simulation) {
+  Balance balance{simulation.tally.first_class_masses, class_masses(simulation.state.particles)};
+  for (const auto& inflow : simulation.streams.inflows) {
+    add(balance.came, class_masses(inflow.layer()), static_cast<double>(inflow.num_layers()));
+  }
+  add(balance.is, simulation.state.absorbed.carried, 1);
+  for (const auto& taken : simulation.streams.taken) add(balance.is, taken.carried, 1);
+  return balance;
+}
+
+template <int D, int V>
+void add_passed(const Simulation<D, V>& simulation, nlohmann::ordered_json& json) {
+  const bool absorbs = simulation.scene().leaving == mpm::Leaving::absorb;
+  if (absorbs) json["absorbed"] = json_of(simulation.state.absorbed);
+  const Streams<D, V>& streams = simulation.streams;
+  for (const auto& inflow : streams.inflows) json["inflow"].push_back(json_of(inflow.entered()));
+  for (const auto& taken : streams.taken) json["outflow"].push_back(json_of(taken));
+  if (absorbs || !streams.inflows.empty() || !streams.taken.empty()) {
+    json["mass_drift"] = mass_drift(simulation);
+  }
+}
+
+}  // namespace
+
+template <int D, int V>
+double mass_drift(const Simulation<D, V>& simulation) {
+  double came = simulation.tally.first_mass;
+  for (const auto& inflow : simulation.streams.inflows) came += inflow.entered().mass;
+  double is = sum_of(simulation.state.particles.mass.values()) + simulation.state.absorbed.mass;
+  for (const auto& taken : simulation.streams.taken) is += taken.mass;
+  return std::abs(is - came) / came;
+}
+
 template <int D, int V>
 double class_mass_drift(const Simulation<D, V>& simulation) {
-  const auto& first = simulation.tally.first_class_masses;
-  if (first.empty()) return 0;
-  const auto now = class_masses(simulation.state.particles);
+  if (simulation.tally.first_class_masses.empty()) return 0;
+  const Balance balance = class_balance(simulation);
   if (simulation.is_crushing()) {
-    const double before = std::accumulate(first.begin(), first.end(), 0.0);
-    return std::abs(std::accumulate(now.begin(), now.end(), 0.0) - before) / before;
+    return std::abs(sum_of(balance.is) - sum_of(balance.came)) / sum_of(balance.came);
   }
   double drift = 0;
-  for (std::size_t k = 0; k < first.size(); ++k) {
-    if (first[k] > 0) drift = std::max(drift, std::abs(now[k] - first[k]) / first[k]);
+  for (std::size_t k = 0; k < balance.came.size(); ++k) {
+    const double came = balance.came[k];
+    if (came > 0) drift = std::max(drift, std::abs(balance.is[k] - came) / came);
   }
   return drift;
 }
 
 template <int D, int V>
-std::string summary_json(const Simulation<D, V>& simulation, double wall_seconds, std::int64_t steps_here,
+std::string summary_json(const Simulation<D, V>& simulation, double wall_seconds,
                          const std::string& outcome) {
   const Tally& tally = simulation.tally;
   const mpm::PhaseSeconds& seconds = simulation.state.seconds;
-  const double updates = static_cast<double>(simulation.num_points()) * static_cast<double>(steps_here);
+  const double updates = simulation.point_updates();
   const auto per_point = [&](double phase) { return updates > 0 ? 1e9 * phase / updates : 0; };
   nlohmann::ordered_json json;
   json["outcome"] = outcome;
@@ -49,13 +105,10 @@ std::string summary_json(const Simulation<D, V>& simulation, double wall_seconds
   for (std::size_t i = 0; i < mpm::limit_names.size(); ++i) {
     json["steps_by_limit"][std::string{mpm::limit_names[i]}] = tally.steps_by_limit[i];
   }
-  if (simulation.scene().leaving == mpm::Leaving::absorb) {
-    const mpm::Left<V>& absorbed = simulation.state.absorbed;
-    json["absorbed"] = {{"points", absorbed.count}, {"mass", absorbed.mass}, {"momentum", absorbed.momentum}};
-  }
+  add_passed(simulation, json);
   if (const auto share = simulation.ill_posed_share()) json["ill_posed_share"] = *share;
   if (simulation.scene().grains) {
-    if (simulation.state.absorbed.count == 0) json["class_mass_drift"] = class_mass_drift(simulation);
+    json["class_mass_drift"] = class_mass_drift(simulation);
     json["fraction_min"] = tally.fractions.lowest;
     json["fraction_max"] = tally.fractions.highest;
     json["fraction_sum_error"] = tally.fractions.sum_error;
@@ -67,7 +120,8 @@ std::string summary_json(const Simulation<D, V>& simulation, double wall_seconds
 
 #define SCREE_INSTANCE(D, V)                                 \
   template double class_mass_drift(const Simulation<D, V>&); \
-  template std::string summary_json(const Simulation<D, V>&, double, std::int64_t, const std::string&);
+  template double mass_drift(const Simulation<D, V>&);       \
+  template std::string summary_json(const Simulation<D, V>&, double, const std::string&);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
 

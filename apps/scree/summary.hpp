@@ -7,13 +7,17 @@
 namespace scree::app {
 
 /// What a run did, as JSON for summary.json.
-/// @param wall_seconds since the run began here  @param steps_here since then  @param outcome "finished", ...
+/// @param wall_seconds since the run began here  @param outcome "finished", ...
 template <int D, int V>
 [[nodiscard]] std::string summary_json(const Simulation<D, V>& simulation, double wall_seconds,
-                                       std::int64_t steps_here, const std::string& outcome);
+                                       const std::string& outcome);
 
-/// Largest relative change of the mass of a size class since the run began; of all classes together where
-/// grains are crushed from one to the next; 0 without grains.
+/// What is missing of the mass that began or has entered, once what has left is counted, relative to it.
+template <int D, int V>
+[[nodiscard]] double mass_drift(const Simulation<D, V>& simulation);
+
+/// The same of a size class, the largest; of all classes together where grains are crushed from one to the
+/// next; 0 without grains.
 template <int D, int V>
 [[nodiscard]] double class_mass_drift(const Simulation<D, V>& simulation);
 

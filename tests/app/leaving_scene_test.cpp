@@ -50,9 +50,9 @@ TEST(LeavingScene, SummaryNamesWhatWasAbsorbed) {
   auto other = conveyed("leaving = \"reflect\"");
 
   EXPECT_NE(
-      summary_json(block, 1, 1, "finished").find("\"absorbed\": {\n    \"points\": 0,\n    \"mass\": 0.0,"),
+      summary_json(block, 1, "finished").find("\"absorbed\": {\n    \"points\": 0,\n    \"mass\": 0.0,"),
       std::string::npos);
-  EXPECT_EQ(summary_json(other, 1, 1, "finished").find("absorbed"), std::string::npos);
+  EXPECT_EQ(summary_json(other, 1, "finished").find("absorbed"), std::string::npos);
 }
 
 /// Blocks of points, nodes in use, the body and the sums go on where they were.

@@ -60,6 +60,25 @@ TEST(Column, BeginsOnACacheLine) {
   EXPECT_EQ(reinterpret_cast<std::uintptr_t>(column.component(0)) % 64, 0);
 }
 
+TEST(Column, AppendsEachComponentToItsOwn) {
+  Column column = three_pairs();
+
+  column.append(three_pairs());
+
+  const std::array<double, 12> expected{0, 1, 2, 0, 1, 2, 3, 4, 5, 3, 4, 5};
+  ASSERT_EQ(column.size(), 6);
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(column.values()[i], expected[i]);
+}
+
+TEST(Column, RefusesToAppendOtherComponents) {
+  Column column = three_pairs();
+
+  EXPECT_EQ(message_of<InputError>([&] {
+              column.append(Column{{"mass", "m", "kg"}, 1});
+            }),
+            "Column '" + column.quantity().name + "': what is appended must have as many components");
+}
+
 TEST(Column, RefusesToHaveNoComponent) {
   EXPECT_EQ(message_of<InputError>([] {
               Column({"velocity", "v", "m/s"}, 0);

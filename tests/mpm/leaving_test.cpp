@@ -49,7 +49,7 @@ TEST(Absorb, CountsWhatIsMissing) {
 
   flight.advance(num_steps);
 
-  const Left<2>& absorbed = flight.state->absorbed;
+  const Passed<2>& absorbed = flight.state->absorbed;
   Index left = 0;
   for (const double m : flight.state->particles.mass.values()) left += m > 0 ? 1 : 0;
   EXPECT_GT(absorbed.count, 100);

@@ -19,8 +19,7 @@ void Column::resize(Index size) {
 void Column::reorder(std::span<const Index> source) {
   const auto size = static_cast<Index>(source.size());
   const std::size_t num_values = source.size() * static_cast<std::size_t>(num_components_);
-  const std::size_t spare = num_values / 32;  // padding comes and goes
-  if (num_values > values_.capacity()) values_.reserve(num_values + spare);
+  make_room(num_values);
   values_.resize(std::max(values_.size(), num_values));
   AlignedVector<double> sorted(source.size());
   // A component that moves up would cover those above it, one that moves down those below: these go first.
@@ -33,6 +32,25 @@ void Column::reorder(std::span<const Index> source) {
   }
   values_.resize(num_values);
   size_ = size;
+}
+
+void Column::append(const Column& more) {
+  require(more.num_components_ == num_components_,
+          "Column '" + quantity_.name + "': what is appended must have as many components");
+  const Index size = size_ + more.size_;
+  make_room(static_cast<std::size_t>(num_components_ * size));
+  values_.resize(static_cast<std::size_t>(num_components_ * size));
+  for (int c = num_components_ - 1; c >= 0; --c) {  // each moves up, or stays
+    const auto from = values_.begin() + c * size_;
+    const auto to = std::copy_backward(from, from + size_, values_.begin() + c * size + size_);
+    std::copy_n(more.component(c), more.size_, to + size_);
+  }
+  size_ = size;
+}
+
+void Column::make_room(std::size_t num_values) {
+  const std::size_t spare = num_values / 32;  // padding comes and goes
+  if (num_values > values_.capacity()) values_.reserve(num_values + spare);
 }
 
 }  // namespace scree::mpm

@@ -34,20 +34,16 @@ template <int D, int V>
 }  // namespace
 
 template <int D, int V>
-Left<V> absorb_outside(Particles<D, V>& particles, const CartesianGrid<D>& grid) {
-  Left<V> left;
+Passed<V> absorb_outside(Particles<D, V>& particles, const CartesianGrid<D>& grid,
+                         std::optional<std::size_t> balanced) {
+  Passed<V> left;
   std::vector<Index> staying;
   staying.reserve(static_cast<std::size_t>(particles.size()));
   for (Index p = 0; p < particles.size(); ++p) {
-    const double mass = particles.mass.component(0)[p];
-    if (!(mass > 0) || !is_outside(particles, grid, p)) {
+    if (particles.mass.component(0)[p] > 0 && is_outside(particles, grid, p)) {
+      count_point(particles, p, balanced, left);
+    } else {
       staying.push_back(p);
-      continue;
-    }
-    ++left.count;
-    left.mass += mass;
-    for (int i = 0; i < V; ++i) {
-      left.momentum[static_cast<std::size_t>(i)] += mass * particles.velocity.component(i)[p];
     }
   }
   if (left.count > 0) particles.for_each_column([&](Column& column) { column.reorder(staying); });
@@ -70,8 +66,8 @@ void reflect_outside(Particles<D, V>& particles, const CartesianGrid<D>& grid) {
   }
 }
 
-#define SCREE_INSTANCE(D, V)                                                  \
-  template Left<V> absorb_outside(Particles<D, V>&, const CartesianGrid<D>&); \
+#define SCREE_INSTANCE(D, V)                                                                                \
+  template Passed<V> absorb_outside(Particles<D, V>&, const CartesianGrid<D>&, std::optional<std::size_t>); \
   template void reflect_outside(Particles<D, V>&, const CartesianGrid<D>&);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE

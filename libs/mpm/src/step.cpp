@@ -28,20 +28,24 @@ void use_blocks(State<D, V>& state, const Stages<D, V>& stages) {
   state.nodes.use(corners, stages.transfer->tile_edge());
 }
 
+}  // namespace
+
 template <int D, int V>
-void sort(State<D, V>& state, const Stages<D, V>& stages, Threads threads) {
-  const detail::Stopwatch watch{state.seconds.sort};
+void detail::sort(State<D, V>& state, const Stages<D, V>& stages, Threads threads) {
+  const Stopwatch watch{state.seconds.sort};
   state.blocks = cell_sort(state.particles, state.nodes.grid(), stages.transfer->stencil_shift(), threads,
                            stages.transfer->sort_edge());
   use_blocks(state, stages);
 }
+
+namespace {
 
 /// Deals with the points outside the mesh; those that are to stop the run are found by the sorting that
 /// follows.
 template <int D, int V>
 void deal_with_leaving(State<D, V>& state, const Stages<D, V>& stages) {
   if (stages.leaving == Leaving::absorb) {
-    state.absorbed += absorb_outside(state.particles, state.nodes.grid());
+    state.absorbed += absorb_outside(state.particles, state.nodes.grid(), stages.balanced);
   } else if (stages.leaving == Leaving::reflect) {
     reflect_outside(state.particles, state.nodes.grid());
   }
@@ -92,22 +96,14 @@ State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const
   State<D, V> state{std::move(particles), Nodes<D>{grid, stages.transfer->record()}};
   const auto masses = state.particles.mass.values();
   state.mass_floor = stages.mass_floor * *std::max_element(masses.begin(), masses.end());
-  sort(state, stages, threads);
+  const auto ids = state.particles.id.values();
+  state.next_id = *std::max_element(ids.begin(), ids.end()) + 1;
+  detail::sort(state, stages, threads);
   if (detail::has_stress_pass(stages) && stages.order != Order::usf) {
     detail::prepare(state, stages);
     detail::update_stress(state, stages, 0, threads);  // what the first forces are
   }
-  const BlockStiffness stiffness = stages.stress->stiffness(state.particles);
-  state.rates.wave_speed = stiffness.wave_speed;
-  state.rates.kinematic_viscosity = stiffness.kinematic_viscosity;
-  state.rates.relaxation_rate = stiffness.relaxation_rate;
-  for (Index p = 0; p < state.particles.size(); ++p) {
-    double rate = 0;
-    for (int axis = 0; axis < D; ++axis) {
-      rate += std::abs(state.particles.velocity.component(axis)[p]) / grid.spacing()[axis];
-    }
-    state.rates.advection_rate = std::max(state.rates.advection_rate, rate);
-  }
+  detail::widen_rates(state.rates, state.particles, stages, grid);
   return state;
 }
 
@@ -140,7 +136,7 @@ void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads thr
   reduce(state);
   if (!state.needs_sort) return;
   deal_with_leaving(state, stages);
-  sort(state, stages, threads);
+  detail::sort(state, stages, threads);
 }
 
 namespace {
@@ -192,6 +188,7 @@ void advance_momentum(Nodes<D>& nodes, const double* gravity, double dt, double 
 }
 
 #define SCREE_INSTANCE(D, V)                                                                          \
+  template void detail::sort(State<D, V>&, const Stages<D, V>&, Threads);                             \
   template State<D, V> start(Particles<D, V>, const CartesianGrid<D>&, const Stages<D, V>&, Threads); \
   template void resume(State<D, V>&, const Stages<D, V>&);                                            \
   template void step(State<D, V>&, const Stages<D, V>&, double, Threads);

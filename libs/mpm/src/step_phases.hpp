@@ -2,7 +2,9 @@
 
 #include <scree/mpm/step.hpp>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 /// The phases that steps of every order are made of.
 namespace scree::mpm::detail {
@@ -19,6 +21,28 @@ class Stopwatch {
   double& sum_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+/// Sorts all points anew, and readies what depends on where their blocks are; in step.cpp.
+/// @throws RunError naming a point outside the mesh.
+template <int D, int V>
+void sort(State<D, V>& state, const Stages<D, V>& stages, Threads threads);
+
+/// Makes rates no smaller than those of these points.
+template <int D, int V>
+void widen_rates(Rates& rates, const Particles<D, V>& particles, const Stages<D, V>& stages,
+                 const CartesianGrid<D>& grid) {
+  const BlockStiffness stiffness = stages.stress->stiffness(particles);
+  rates.wave_speed = std::max(rates.wave_speed, stiffness.wave_speed);
+  rates.kinematic_viscosity = std::max(rates.kinematic_viscosity, stiffness.kinematic_viscosity);
+  rates.relaxation_rate = std::max(rates.relaxation_rate, stiffness.relaxation_rate);
+  for (Index p = 0; p < particles.size(); ++p) {
+    double rate = 0;
+    for (int axis = 0; axis < D; ++axis) {
+      rate += std::abs(particles.velocity.component(axis)[p]) / grid.spacing()[axis];
+    }
+    rates.advection_rate = std::max(rates.advection_rate, rate);
+  }
+}
 
 /// Whether stress has a pass of its own: else it is brought up to date while its block goes to the nodes.
 template <int D, int V>

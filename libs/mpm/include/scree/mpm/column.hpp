@@ -38,7 +38,12 @@ class Column {
   /// New value of point p = old value of point source[p]; the column takes the length of `source`.
   void reorder(std::span<const Index> source);
 
+  /// Adds the values of another column after its own.  @throws InputError if that has other components.
+  void append(const Column& more);
+
  private:
+  void make_room(std::size_t num_values);
+
   Quantity quantity_;
   int num_components_;
   Index size_ = 0;

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct Stages {
   Order order = Order::usl;         ///< when stress is brought up to date; usl alone takes no extra pass
   Averaging averaging;              ///< over cells, against locking and noise; takes a pass over the points
   Xpic<D, V> xpic;                  ///< filter of velocities; takes a pass for each order
+  std::optional<std::size_t> balanced;  ///< column whose sums are kept of what is absorbed, by its index
 };
 
 /// Wall-clock time spent in each phase of the steps so far [s].
@@ -74,7 +76,8 @@ struct State {
   Rates rates;                             ///< of the last step; what the next one is bounded by
   bool needs_sort = true;                  ///< a point has left the reach of its block
   double mass_floor = 0;                   ///< [kg]
-  Left<V> absorbed;                        ///< what has left the mesh so far
+  double next_id = 0;                      ///< of a point that is added
+  Passed<V> absorbed;                      ///< what has left the mesh so far
   Spare spare;
   CellMeans<D> means;
   PhaseSeconds seconds;

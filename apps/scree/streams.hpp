@@ -1,0 +1,50 @@
+#pragma once
+
+#include "scree/filling.hpp"
+#include "scree/scene.hpp"
+
+#include <scree/mpm/inflow.hpp>
+#include <scree/mpm/outflow.hpp>
+
+#include <string>
+#include <vector>
+
+namespace scree::app {
+
+/// What passes into a run and out of it, beside points that leave its mesh.
+template <int D, int V>
+struct Streams {
+  std::vector<mpm::Inflow<D, V>> inflows;
+  std::vector<mpm::Outflow<D>> outflows;
+  std::vector<mpm::Passed<V>> taken;  ///< by each outflow
+
+  /// Points that have passed either way.
+  [[nodiscard]] Index num_passed() const;
+};
+
+/// A stream of the scene's law.
+template <int D, int V>
+[[nodiscard]] mpm::Stream<D, V> stream_of(const Scene& scene, const InflowScene& inflow);
+
+/// Whether the box of a stream is full at the start of a run.
+[[nodiscard]] inline bool begins_full(const InflowScene& inflow) noexcept {
+  return inflow.start == 0;
+}
+
+/// The outflows of a scene, nothing taken.
+template <int D>
+[[nodiscard]] std::vector<mpm::Outflow<D>> outflows_of(const Scene& scene, const CartesianGrid<D>& grid);
+
+/// Height of the surface straight above a place: of the stream in whose box it lies, or of the material. A
+/// stream that runs along the normal falls freely: nothing is above it. [m]
+template <int D>
+[[nodiscard]] double surface_above(const Scene& scene, const Filling<D>& filling, const Vector<D>& x);
+
+/// @throws InputError if material begins in the box of a stream.
+template <int D, int V>
+void require_clear_of_streams(const Scene& scene, const mpm::Particles<D, V>& material);
+
+/// What to say of streams whose points lie too far apart; nothing if none does.
+[[nodiscard]] std::string too_thin_streams(const Scene& scene);
+
+}  // namespace scree::app
