@@ -147,6 +147,7 @@ void read_turn(const TomlTable& table, BodyScene& body, std::size_t dimensions) 
   body.start = table.number_or(0, "start", "of the motion [s]", at_least(0));
   body.stop = std::numeric_limits<double>::infinity();
   if (table.has("stop")) body.stop = table.number("stop", "end of the motion [s]", at_least(0));
+  body.may_overlap = table.boolean_or(false, "may_overlap", "whether it may begin in ground or in a body");
   table.check(body.stop >= body.start, {"stop", "start"},
               fmt::format("must not come before start = {:g}", body.start));
   return body;

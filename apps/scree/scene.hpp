@@ -118,6 +118,7 @@ struct BodyScene {
   std::array<double, 3> axis{};  ///< of the turn, of unit length
   double start = 0;              ///< [s]
   double stop = 0;               ///< [s]
+  bool may_overlap = false;      ///< whether it may begin in ground or in another body
 };
 
 /// Material between two corners.

@@ -6,6 +6,7 @@
 #include "scree/ground.hpp"
 #include "scree/leaving_text.hpp"
 #include "scree/node_viscosity.hpp"
+#include "scree/overlaps.hpp"
 #include "scree/streams.hpp"
 #include "scree/walls.hpp"
 
@@ -73,6 +74,7 @@ template <int D, int V>
   std::vector<std::unique_ptr<mpm::Boundary<D>>> boundaries;
   if constexpr (D > 1) {
     if (ground) boundaries.push_back(make_terrain<D>(*scene.terrain, ground, grid));
+    require_apart(scene, grid, ground);
     for (const BodyScene& body : scene.bodies) boundaries.push_back(make_body<D>(body));
   }
   for (int axis = 0; axis < D; ++axis) {

@@ -183,7 +183,7 @@ TEST(BadBody, ValuesAreNamedWithTheirBody) {
   EXPECT_EQ(message_of_block(ball + "speed = 1\n"),
             "scene.toml:29: [bodies 1] speed: unknown key, known here: surface, centre, radius, is_hollow, "
             "contact, "
-            "velocity, angular_velocity, pivot, start, stop");
+            "velocity, angular_velocity, pivot, start, stop, may_overlap");
   EXPECT_EQ(message_of_block(ball + "start = 2\nstop = 1\n"),
             "scene.toml:30: [bodies 1] stop = 1: must not come before start = 2");
 }
