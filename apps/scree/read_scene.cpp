@@ -102,6 +102,23 @@ using io::TomlTable;
   return initial;
 }
 
+/// The boxes of uniform GIMP fill a cell only if there are as many as points.
+void check_boxes(const TomlTable& table, const Scene& scene) {
+  const auto* gimp = std::get_if<mpm::Gimp>(&scene.shape);
+  if (gimp == nullptr) return;
+  const auto check = [&](Index points_per_cell, const std::string& where) {
+    const double points_per_axis = 0.5 / gimp->half_width();
+    table.check(std::abs(points_per_axis - static_cast<double>(points_per_cell)) <= 1e-9 * points_per_axis,
+                {"points_per_axis"},
+                fmt::format("must be {} points_per_cell = {}: boxes of that many points fill a cell", where,
+                            points_per_cell));
+  };
+  if (!scene.material.is_absent) check(scene.material.points_per_cell, "[material]");
+  for (std::size_t i = 0; i < scene.inflows.size(); ++i) {
+    check(scene.inflows[i].points_per_cell, fmt::format("[[inflow]] {}", i + 1));
+  }
+}
+
 /// What a step does beside its own passes.
 void read_extra_passes(const TomlTable& table, Scene& scene) {
   const std::string order =
@@ -123,6 +140,7 @@ void read_extra_passes(const TomlTable& table, Scene& scene) {
 
 void read_numerics(const TomlTable& table, Scene& scene) {
   read_chosen(table, "shape", "shape function of momentum", scene.shape, "linear");
+  check_boxes(table, scene);
   read_chosen(table, "transfer", "how velocity travels between points and nodes", scene.transfer, "apic");
   read_extra_passes(table, scene);
   constexpr std::array<std::string_view, 3> schemes{"explicit", "implicit", "auto"};
