@@ -78,6 +78,24 @@ TEST(Restart, GoesOnWhereMaterialHasSpread) {
   expect_same_bits(unbroken, restarted);
 }
 
+/// Round an axis points carry their hoop rate, hoop stress and radius too.
+TEST(Restart, GoesOnRoundAnAxis) {
+  const fs::path file = scratch_file("round.h5");
+  const std::vector<std::string> round{"mesh.cells=12", "mesh.symmetry=axisymmetric"};
+  Simulation<2, 2> unbroken{scene_of("granular_column_collapse", round), {1}};
+  while (unbroken.clock.time < 0.15) unbroken.step();
+  const auto& hoop = unbroken.state.particles;
+  ASSERT_NE(hoop.column(hoop.find_column("hoop_rate", "the test")).component(0)[0], 0);
+  write_checkpoint(unbroken, file, "");
+  for (int i = 0; i < 50; ++i) unbroken.step();
+
+  Simulation<2, 2> restarted{scene_of("granular_column_collapse", round), {1}};
+  read_checkpoint_into(restarted, file);
+  for (int i = 0; i < 50; ++i) restarted.step();
+
+  expect_same_bits(unbroken, restarted);
+}
+
 TEST(Restart, WritingACheckpointChangesNothing) {
   auto with = moving_plane({1});
   auto without = moving_plane({1});
