@@ -131,12 +131,14 @@ void check_place(const TomlTable& table, const InflowScene& inflow, const Scene&
 
 std::vector<InflowScene> read_inflows(const std::vector<TomlTable>& tables, const Scene& scene) {
   std::vector<InflowScene> inflows;
+  inflows.reserve(tables.size());
   for (const TomlTable& table : tables) inflows.push_back(read_inflow(table, scene));
   return inflows;
 }
 
 std::vector<OutflowScene> read_outflows(const std::vector<TomlTable>& tables, const Scene& scene) {
   std::vector<OutflowScene> outflows;
+  outflows.reserve(tables.size());
   for (const TomlTable& table : tables) outflows.push_back(read_outflow(table, scene));
   return outflows;
 }

@@ -246,14 +246,16 @@ std::unique_ptr<Boundary<D>> make_inflow_hold(const Stream<D, V>& stream, const 
                                          stream.stop);
 }
 
-#define SCREE_INSTANCE(D, V)                                                                           \
-  template int axis_of(const Stream<D, V>&);                                                           \
-  template Particles<D, V> fill_box(const Stream<D, V>&, const CartesianGrid<D>&);                     \
-  template Particles<D, V> first_layer(const Stream<D, V>&, const CartesianGrid<D>&);                  \
-  template class Inflow<D, V>;                                                                         \
-  template bool take_in(State<D, V>&, const Stages<D, V>&, Inflow<D, V>&, double, Threads);            \
-  template std::unique_ptr<Boundary<D>> make_inflow_hold(const Stream<D, V>&, const CartesianGrid<D>&, \
-                                                         double);
+template <int D>
+using OwnedBoundary = std::unique_ptr<Boundary<D>>;
+
+#define SCREE_INSTANCE(D, V)                                                                \
+  template int axis_of(const Stream<D, V>&);                                                \
+  template Particles<D, V> fill_box(const Stream<D, V>&, const CartesianGrid<D>&);          \
+  template Particles<D, V> first_layer(const Stream<D, V>&, const CartesianGrid<D>&);       \
+  template class Inflow<D, V>;                                                              \
+  template bool take_in(State<D, V>&, const Stages<D, V>&, Inflow<D, V>&, double, Threads); \
+  template OwnedBoundary<D> make_inflow_hold(const Stream<D, V>&, const CartesianGrid<D>&, double);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
 
