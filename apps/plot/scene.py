@@ -32,7 +32,8 @@ def layer_edges(scene: dict[str, Any]) -> np.ndarray:
 def point_spacing(scene: dict[str, Any]) -> float:
     """Distance of the material points along y at the start [m]."""
     edges = layer_edges(scene)
-    return (edges[1] - edges[0]) / scene.get("material", {}).get("points_per_cell", 3)
+    source = scene["material"] if "material" in scene else scene["inflow"][0]
+    return (edges[1] - edges[0]) / source.get("points_per_cell", 3)
 
 
 def diameter_range(scene: dict[str, Any]) -> tuple[float, float] | None:

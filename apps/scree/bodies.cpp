@@ -1,4 +1,5 @@
 #include "scree/ground.hpp"
+#include "scree/vector_of.hpp"
 #include "scree/with_contact.hpp"
 
 #include <scree/mpm/boundaries/rigid_body.hpp>
@@ -9,11 +10,6 @@
 namespace scree::app {
 
 namespace {
-
-template <int D>
-[[nodiscard]] Vector<D> vector_of(const std::vector<double>& numbers) {
-  return Eigen::Map<const Vector<D>>{numbers.data()};
-}
 
 template <int D>
 [[nodiscard]] mpm::AnySurface<D> made(const BallScene& ball) {

@@ -2,6 +2,7 @@
 
 #include "scree/axes.hpp"
 #include "scree/dimensions.hpp"
+#include "scree/vector_of.hpp"
 
 #include <scree/mpm/seed.hpp>
 #include <scree/mpm/seed_region.hpp>
@@ -20,13 +21,8 @@ template <int D>
 using Region = std::function<bool(const Vector<D>&)>;
 
 template <int D>
-[[nodiscard]] Vector<D> point_of(const std::vector<double>& numbers) {
-  return Eigen::Map<const Vector<D>>{numbers.data()};
-}
-
-template <int D>
 [[nodiscard]] Region<D> made(const BoxRegion& box, const mpm::AnySurface<D>& /*ground*/) {
-  return [low = point_of<D>(box.low), high = point_of<D>(box.high)](const Vector<D>& x) {
+  return [low = vector_of<D>(box.low), high = vector_of<D>(box.high)](const Vector<D>& x) {
     return (low.array() <= x.array()).all() && (x.array() <= high.array()).all();
   };
 }
@@ -113,8 +109,8 @@ mpm::Particles<D, V> Filling<D>::points() const {
   per_cell.fill(material_.points_per_cell);
   const auto density_at = [&](const Vector<D>& x) { return contains(x) ? density_ : 0.0; };
   const bool is_plain = material_.regions.empty() && !material_.random_seed;
-  auto particles = is_plain ? mpm::seed_box<D, V>(grid_, point_of<D>(material_.low),
-                                                  point_of<D>(material_.high), per_cell, density_)
+  auto particles = is_plain ? mpm::seed_box<D, V>(grid_, vector_of<D>(material_.low),
+                                                  vector_of<D>(material_.high), per_cell, density_)
                             : mpm::seed_region<D, V>(grid_, {.per_cell = per_cell}, density_at);
   if (ground_) mpm::require_above(particles, ground_);
   if (!material_.random_seed) return particles;

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,6 @@ namespace {
 struct Solid {
   std::string name;
   bool is_bounded;
-  bool may_overlap;
   std::vector<double> distances;  // of the nodes of the mesh, negative inside [m]
 };
 
@@ -40,35 +40,37 @@ template <int D>
 
 template <int D>
 void require_apart(const Solid& a, const Solid& b, const CartesianGrid<D>& grid) {
-  if ((!a.is_bounded && !b.is_bounded) || a.may_overlap || b.may_overlap) return;
-  double deepest = 0;
-  std::size_t worst = 0;
+  if (!a.is_bounded && !b.is_bounded) return;
+  double deepest = 1e-6 * grid.spacing().minCoeff();  // bodies that touch overlap by round-off
+  std::optional<std::size_t> worst;
   for (std::size_t n = 0; n < a.distances.size(); ++n) {
     const double depth = std::min(-a.distances[n], -b.distances[n]);
     if (!(depth > deepest)) continue;
     deepest = depth;
     worst = n;
   }
-  if (deepest == 0) return;
+  if (!worst) return;
   const Lattice<D> nodes = grid.nodes();
-  const Vector<D> x = nodes.position(nodes.site(static_cast<Index>(worst)));
+  const Vector<D> x = nodes.position(nodes.site(static_cast<Index>(*worst)));
   throw InputError{fmt::format(
       "{} and {} overlap: the place ({:.6g}) m is {:.6g} m deep in the one and {:.6g} m in the other; move "
       "them apart, or say may_overlap = true of the body",
-      a.name, b.name, fmt::join(x.begin(), x.end(), ", "), -a.distances[worst], -b.distances[worst])};
+      a.name, b.name, fmt::join(x.begin(), x.end(), ", "), -a.distances[*worst], -b.distances[*worst])};
 }
 
 }  // namespace
 
 template <int D>
 void require_apart(const Scene& scene, const CartesianGrid<D>& grid, const mpm::AnySurface<D>& ground) {
-  if (std::ranges::none_of(scene.bodies, is_bounded)) return;
+  const auto is_asked = [](const BodyScene& body) { return is_bounded(body) && !body.may_overlap; };
+  if (std::ranges::none_of(scene.bodies, is_asked)) return;
   std::vector<Solid> solids;
-  if (ground) solids.push_back({"[terrain]", false, false, distances_of(grid, ground)});
+  if (ground) solids.push_back({"[terrain]", false, distances_of(grid, ground)});
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
     const BodyScene& body = scene.bodies[i];
-    solids.push_back({fmt::format("[[bodies]] {}", i + 1), is_bounded(body), body.may_overlap,
-                      distances_of(grid, surface_of<D>(body))});
+    if (body.may_overlap) continue;
+    solids.push_back(
+        {fmt::format("[[bodies]] {}", i + 1), is_bounded(body), distances_of(grid, surface_of<D>(body))});
     for (std::size_t other = 0; other + 1 < solids.size(); ++other) {
       require_apart(solids.back(), solids[other], grid);
     }

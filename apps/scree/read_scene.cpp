@@ -204,7 +204,7 @@ void read_numerics(const TomlTable& table, Scene& scene) {
 }
 
 /// What enters and what is taken away. Without material the streams have to bring it.
-void read_streams(const TomlTable& root, Scene& scene) {
+void read_what_passes(const TomlTable& root, Scene& scene) {
   scene.inflows = read_inflows(root.tables("inflow"), scene);
   scene.outflows = read_outflows(root.tables("outflow"), scene);
   MaterialScene& material = scene.material;
@@ -232,7 +232,7 @@ void read_surroundings(const TomlTable& root, Scene& scene, SceneFiles& files) {
   const TomlTable boundaries = root.table("boundaries");
   scene.axes = read_axes(boundaries, scene);
   scene.leaving = read_leaving(boundaries);
-  read_streams(root, scene);
+  read_what_passes(root, scene);
 }
 
 /// What flow round an axis does not go with.

@@ -107,6 +107,33 @@ void check_place(const TomlTable& table, const InflowScene& inflow, const Scene&
   return inflow;
 }
 
+/// Whether boxes have a place in common, or come closer than `gap` [m] along every axis.
+template <class BoxA, class BoxB>
+[[nodiscard]] bool meet(const BoxA& a, const BoxB& b, double gap) {
+  constexpr double slack = 1e-9;  // [m]
+  const std::size_t dimensions = std::min({a.low.size(), a.high.size(), b.low.size(), b.high.size()});
+  for (std::size_t d = 0; d < dimensions; ++d) {
+    if (a.high[d] + gap <= b.low[d] + slack || b.high[d] + gap <= a.low[d] + slack) return false;
+  }
+  return dimensions > 0;
+}
+
+/// Two streams enter side by side only if they move as one: their boxes hold nodes up to two cells round
+/// them.
+void check_apart(const TomlTable& table, const InflowScene& inflow, const InflowScene& other,
+                 std::size_t number, const MeshScene& mesh) {
+  if (inflow.stop <= other.start || other.stop <= inflow.start) return;
+  table.check(!meet(inflow, other, 0), {"low"},
+              fmt::format("the box overlaps that of [[inflow]] {}", number));
+  const bool move_as_one =
+      inflow.velocity == other.velocity && inflow.start == other.start && inflow.stop == other.stop;
+  if (move_as_one || meet(inflow, other, 0)) return;
+  table.check(
+      !meet(inflow, other, 2 * cell_edge(mesh)), {"low"},
+      fmt::format("the box is less than two cells, {:g} m, from that of [[inflow]] {}, which moves otherwise",
+                  2 * cell_edge(mesh), number));
+}
+
 [[nodiscard]] OutflowScene read_outflow(const TomlTable& table, const Scene& scene) {
   const auto dimensions = static_cast<std::size_t>(scene.mesh.dimensions);
   OutflowScene outflow;
@@ -132,14 +159,26 @@ void check_place(const TomlTable& table, const InflowScene& inflow, const Scene&
 std::vector<InflowScene> read_inflows(const std::vector<TomlTable>& tables, const Scene& scene) {
   std::vector<InflowScene> inflows;
   inflows.reserve(tables.size());
-  for (const TomlTable& table : tables) inflows.push_back(read_inflow(table, scene));
+  for (const TomlTable& table : tables) {
+    const InflowScene inflow = read_inflow(table, scene);
+    for (std::size_t i = 0; i < inflows.size(); ++i)
+      check_apart(table, inflow, inflows[i], i + 1, scene.mesh);
+    inflows.push_back(inflow);
+  }
   return inflows;
 }
 
 std::vector<OutflowScene> read_outflows(const std::vector<TomlTable>& tables, const Scene& scene) {
   std::vector<OutflowScene> outflows;
   outflows.reserve(tables.size());
-  for (const TomlTable& table : tables) outflows.push_back(read_outflow(table, scene));
+  for (const TomlTable& table : tables) {
+    const OutflowScene outflow = read_outflow(table, scene);
+    for (std::size_t i = 0; i < scene.inflows.size(); ++i) {
+      table.check(!meet(outflow, scene.inflows[i], 0), {"low"},
+                  fmt::format("the box meets that of [[inflow]] {}", i + 1));
+    }
+    outflows.push_back(outflow);
+  }
   return outflows;
 }
 

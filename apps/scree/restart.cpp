@@ -96,7 +96,7 @@ void write_streams(const Simulation<D, V>& simulation, io::CheckpointWriter& wri
 }
 
 template <int D, int V>
-void read_streams(Simulation<D, V>& simulation, const io::Checkpoint& checkpoint) {
+void restore_streams(Simulation<D, V>& simulation, const io::Checkpoint& checkpoint) {
   Streams<D, V>& streams = simulation.streams;
   const auto layers = checkpoint.integers("inflow_layers", static_cast<Index>(streams.inflows.size()));
   for (std::size_t i = 0; i < layers.size(); ++i) streams.inflows[i].resume(layers[i]);
@@ -115,6 +115,13 @@ void read_streams(Simulation<D, V>& simulation, const io::Checkpoint& checkpoint
   });
 }
 
+void require_as_many(Index in_checkpoint, std::size_t in_scene, const std::string& tables,
+                     const std::filesystem::path& path) {
+  require(in_checkpoint == static_cast<Index>(in_scene), path.string() + ": is of another scene: it has " +
+                                                             std::to_string(in_checkpoint) + ' ' + tables +
+                                                             ", the scene has " + std::to_string(in_scene));
+}
+
 template <int D, int V>
 void require_same_parts(const Simulation<D, V>& simulation, const io::Checkpoint& checkpoint,
                         const std::filesystem::path& path) {
@@ -128,6 +135,8 @@ void require_same_parts(const Simulation<D, V>& simulation, const io::Checkpoint
     require(checkpoint.contains(entry_of(column)),
             path.string() + ": is of another scene: it has no column '" + column.quantity().name + "'");
   });
+  require_as_many(checkpoint.length("inflow_layers"), simulation.streams.inflows.size(), "[[inflow]]", path);
+  require_as_many(checkpoint.length("left_points") - 1, simulation.streams.taken.size(), "[[outflow]]", path);
 }
 
 }  // namespace
@@ -162,7 +171,7 @@ void read_checkpoint_into(Simulation<D, V>& simulation, const std::filesystem::p
   auto& tally = simulation.tally;
   tally.first_class_masses =
       checkpoint.doubles("first_class_masses", static_cast<Index>(tally.first_class_masses.size()));
-  read_streams(simulation, checkpoint);
+  restore_streams(simulation, checkpoint);
   auto& state = simulation.state;
   state.blocks = unflattened<D>(checkpoint.integers("blocks", checkpoint.length("blocks")));
   const Index size = checkpoint.length(entry_of(state.particles.mass));

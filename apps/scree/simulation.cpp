@@ -286,10 +286,11 @@ template <int D, int V>
 std::string Simulation<D, V>::too_few_points() const {
   constexpr Index wanted = Index{1} << D;  // two along each axis
   const mpm::CellFilling filling = mpm::cell_filling(state.particles, grid(), wanted);
-  std::string streams_too = too_thin_streams(scene_);
-  if (2 * filling.num_too_few <= filling.num_filled || !streams_too.empty()) return streams_too;
-  return std::to_string(filling.num_too_few) + " of " + std::to_string(filling.num_filled) +
-         " cells with material hold fewer than " + std::to_string(wanted) +
+  const std::string thin_streams = too_thin_streams(scene_);
+  if (scene_.material.is_absent || 2 * filling.num_too_few <= filling.num_filled) return thin_streams;
+  return thin_streams + (thin_streams.empty() ? "" : "; ") + std::to_string(filling.num_too_few) + " of " +
+         std::to_string(filling.num_filled) + " cells with material hold fewer than " +
+         std::to_string(wanted) +
          " points, which carry stress badly: give more [material] points_per_cell, or material more cells";
 }
 
@@ -365,6 +366,7 @@ template <int D, int V>
 void Simulation<D, V>::resume() {
   for (const auto& boundary : stages_.boundaries) boundary->advance(clock.moved);
   mpm::resume(state, stages_);
+  if (num_points() == 0) state.needs_sort = true;  // as count_updates() left it
 }
 
 template <int D, int V>

@@ -2,6 +2,7 @@
 
 #include "scree/axes.hpp"
 #include "scree/dimensions.hpp"
+#include "scree/vector_of.hpp"
 
 #include <fmt/format.h>
 
@@ -10,11 +11,6 @@
 namespace scree::app {
 
 namespace {
-
-template <int D>
-[[nodiscard]] Vector<D> vector_of(const std::vector<double>& numbers) {
-  return Eigen::Map<const Vector<D>>{numbers.data()};
-}
 
 template <int D>
 [[nodiscard]] bool is_in_box(const InflowScene& inflow, const Vector<D>& x) {

@@ -1,6 +1,9 @@
+#include "bodies.hpp"
 #include "schemes.hpp"
 
 #include <scree/mpm/cell_sort.hpp>
+#include <scree/mpm/seed.hpp>
+#include <scree/mpm/step.hpp>
 
 #include <gtest/gtest.h>
 
@@ -97,6 +100,21 @@ TEST(ParticleBlocks, AreEachVisitedOnce) {
 
     for (const auto& visited : visits) EXPECT_EQ(visited, 2);
   }
+}
+
+/// Cubic shapes have larger blocks in 3D than others: a run that goes on must colour them as such.
+TEST(ResumedBlocks, AreThoseOfTheShapeAgain) {
+  const CartesianGrid<3> grid{Vector<3>::Zero(), Vector<3>::Ones(), {24, 5, 5}, {false, false, false}};
+  auto particles = seed_box<3, 3>(grid, Vector<3>{1, 1, 1}, Vector<3>{23, 4, 4}, {1, 1, 1}, 1000);
+  const auto stages = stages_of<3, 3>(particles, Cubic{}, Apic{});
+  const auto state = start(particles, grid, stages, {1});
+  State<3, 3> resumed{state.particles, Nodes<3>{grid, stages.transfer->record()}};
+  resumed.blocks.blocks = state.blocks.blocks;
+
+  resume(resumed, stages);
+
+  EXPECT_EQ(resumed.blocks.edge, 5);
+  EXPECT_EQ(resumed.blocks.colours, state.blocks.colours);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <scree/mpm/inflow.hpp>
 #include <scree/mpm/outflow.hpp>
 
+#include <limits>
 #include <memory>
 
 namespace scree::mpm {

@@ -1,4 +1,5 @@
 #include "instances.hpp"
+#include "into_period.hpp"
 #include "point_text.hpp"
 
 #include <scree/mpm/cell_sort.hpp>
@@ -66,15 +67,6 @@ template <int D, int V>
                  (is_finite ? "is outside the mesh " + box + " m" : "has no finite position")};
 }
 
-/// Moves x by whole periods into the axis, or leaves it where it is if the axis has ends.
-template <int D>
-[[nodiscard]] double into_period(double x, const CartesianGrid<D>& grid, int axis) {
-  if (!grid.is_periodic()[static_cast<std::size_t>(axis)]) return x;
-  const double length = grid.length(axis);
-  const double inside = x - length * std::floor((x - grid.origin()[axis]) / length);
-  return inside < grid.origin()[axis] + length ? inside : grid.origin()[axis];
-}
-
 template <int D, int V>
 [[nodiscard]] std::vector<Index> keys_of(Particles<D, V>& particles, const CartesianGrid<D>& grid,
                                          double stencil_shift, const Numbering<D>& numbering) {
@@ -85,7 +77,7 @@ template <int D, int V>
     Indices<D> base{};
     for (int axis = 0; axis < D; ++axis) {
       double& x = particles.position.component(axis)[p];
-      x = into_period(x, grid, axis);
+      x = detail::into_period(x, grid, axis);
       const double cell = (x - grid.origin()[axis]) / grid.spacing()[axis];
       const auto end = static_cast<double>(grid.num_cells()[static_cast<std::size_t>(axis)]);
       if (!(0 <= cell && cell <= end)) throw_outside(particles, grid, p);

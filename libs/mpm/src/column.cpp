@@ -40,10 +40,11 @@ void Column::append(const Column& more) {
   const Index size = size_ + more.size_;
   make_room(static_cast<std::size_t>(num_components_ * size));
   values_.resize(static_cast<std::size_t>(num_components_ * size));
-  for (int c = num_components_ - 1; c >= 0; --c) {  // each moves up, or stays
-    const auto from = values_.begin() + c * size_;
-    const auto to = std::copy_backward(from, from + size_, values_.begin() + c * size + size_);
-    std::copy_n(more.component(c), more.size_, to + size_);
+  for (int c = num_components_ - 1; c >= 0; --c) {  // each moves up, but for the first
+    const auto end = values_.begin() + c * size + size_;
+    if (c * more.size_ > 0)
+      std::copy_backward(values_.begin() + c * size_, values_.begin() + (c + 1) * size_, end);
+    std::copy_n(more.component(c), more.size_, end);
   }
   size_ = size;
 }

@@ -1,8 +1,8 @@
 #include "instances.hpp"
+#include "into_period.hpp"
 
 #include <scree/mpm/outflow.hpp>
 
-#include <cmath>
 #include <string>
 
 namespace scree::mpm {
@@ -32,10 +32,7 @@ template <int D, int V>
 [[nodiscard]] bool is_in(const Outflow<D>& outflow, const Particles<D, V>& particles,
                          const CartesianGrid<D>& grid, Index p) {
   for (int axis = 0; axis < D; ++axis) {
-    double x = particles.position.component(axis)[p];
-    if (grid.is_periodic()[static_cast<std::size_t>(axis)]) {
-      x -= grid.length(axis) * std::floor((x - grid.origin()[axis]) / grid.length(axis));
-    }
+    const double x = detail::into_period(particles.position.component(axis)[p], grid, axis);
     if (!(outflow.low[axis] <= x && x <= outflow.high[axis])) return false;
   }
   return true;

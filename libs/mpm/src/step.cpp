@@ -109,6 +109,7 @@ State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const
 
 template <int D, int V>
 void resume(State<D, V>& state, const Stages<D, V>& stages) {
+  state.blocks.edge = stages.transfer->sort_edge();
   colour_blocks(state.blocks, state.nodes.grid());
   use_blocks(state, stages);
 }
