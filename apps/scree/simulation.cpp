@@ -286,7 +286,7 @@ template <int D, int V>
 std::string Simulation<D, V>::too_few_points() const {
   constexpr Index wanted = Index{1} << D;  // two along each axis
   const mpm::CellFilling filling = mpm::cell_filling(state.particles, grid(), wanted);
-  const std::string thin_streams = too_thin_streams(scene_);
+  std::string thin_streams = too_thin_streams(scene_);
   if (scene_.material.is_absent || 2 * filling.num_too_few <= filling.num_filled) return thin_streams;
   return thin_streams + (thin_streams.empty() ? "" : "; ") + std::to_string(filling.num_too_few) + " of " +
          std::to_string(filling.num_filled) + " cells with material hold fewer than " +
