@@ -1,203 +1,22 @@
 #include "scree/simulation.hpp"
 
-#include "scree/axes.hpp"
 #include "scree/dimensions.hpp"
 #include "scree/filling.hpp"
-#include "scree/ground.hpp"
 #include "scree/leaving_text.hpp"
+#include "scree/make_points.hpp"
+#include "scree/make_stages.hpp"
 #include "scree/node_viscosity.hpp"
-#include "scree/overlaps.hpp"
-#include "scree/streams.hpp"
-#include "scree/walls.hpp"
 
 #include <scree/io/bounds.hpp>
-#include <scree/mpm/append.hpp>
-#include <scree/mpm/axisymmetric.hpp>
-#include <scree/mpm/geostatic.hpp>
 #include <scree/mpm/seed_region.hpp>
-#include <scree/mpm/terrain/above_bed.hpp>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace scree::app {
 
 namespace {
-
-template <int D>
-[[nodiscard]] CartesianGrid<D> make_grid(const Scene& scene) {
-  const MeshScene& mesh = scene.mesh;
-  const double edge =
-      mesh.size[static_cast<std::size_t>(normal_component(D))] / static_cast<double>(mesh.cells);
-  Vector<D> spacing;
-  Indices<D> cells{};
-  std::array<bool, D> is_periodic{};
-  for (std::size_t d = 0; d < D; ++d) {
-    cells[d] = std::lround(mesh.size[d] / edge);
-    spacing[static_cast<int>(d)] = mesh.size[d] / static_cast<double>(cells[d]);
-    is_periodic[d] = scene.axes[d].is_periodic;
-  }
-  return {Vector<D>::Zero(), spacing, cells, is_periodic};
-}
-
-/// Gravity by velocity component [m/s^2]: down the slope along the flow, into the base along its normal.
-template <int V>
-[[nodiscard]] std::array<double, V> gravity_of(const GravityScene& gravity, int dimensions) {
-  const double slope = gravity.slope_degrees * std::numbers::pi / 180;
-  std::array<double, V> result{};
-  result[static_cast<std::size_t>(normal_component(dimensions))] = -gravity.magnitude * std::cos(slope);
-  const int along = flow_component(dimensions, V);
-  if (along >= 0) result[static_cast<std::size_t>(along)] = gravity.magnitude * std::sin(slope);
-  return result;
-}
-
-/// The ground of a scene; none if it has none.
-template <int D>
-[[nodiscard]] mpm::AnySurface<D> ground_of(const Scene& scene) {
-  if constexpr (D > 1) {
-    if (scene.terrain) return surface_of<D>(*scene.terrain, scene.mesh);
-  }
-  return {};
-}
-
-/// What holds material: ground and bodies first, so that the walls of the mesh have the last word but for the
-/// boxes that streams enter by.
-/// @param reach of the shape function [spacings]
-template <int D, int V>
-[[nodiscard]] std::vector<std::unique_ptr<mpm::Boundary<D>>> make_boundaries(const Scene& scene,
-                                                                             const CartesianGrid<D>& grid,
-                                                                             const mpm::AnySurface<D>& ground,
-                                                                             double reach) {
-  std::vector<std::unique_ptr<mpm::Boundary<D>>> boundaries;
-  if constexpr (D > 1) {
-    if (ground) boundaries.push_back(make_terrain<D>(*scene.terrain, ground, grid));
-    require_apart(scene, grid, ground);
-    for (const BodyScene& body : scene.bodies) boundaries.push_back(make_body<D>(body));
-  }
-  for (int axis = 0; axis < D; ++axis) {
-    const AxisScene& ends = scene.axes[static_cast<std::size_t>(axis)];
-    if (ends.is_periodic) continue;
-    boundaries.push_back(make_boundary<D>(ends.low, axis, mpm::Side::low));
-    boundaries.push_back(make_boundary<D>(ends.high, axis, mpm::Side::high));
-  }
-  for (const InflowScene& inflow : scene.inflows) {
-    boundaries.push_back(mpm::make_inflow_hold(stream_of<D, V>(scene, inflow), grid, reach));
-  }
-  std::erase(boundaries, nullptr);
-  return boundaries;
-}
-
-/// @throws InputError if a body begins inside the material.
-template <int D, int V>
-void require_clear_of_bodies(const Scene& scene, const mpm::Particles<D, V>& particles) {
-  if constexpr (D > 1) {
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-      try {
-        mpm::require_above(particles, surface_of<D>(scene.bodies[i]));
-      } catch (const InputError& error) {
-        throw InputError{"[[bodies]] " + std::to_string(i + 1) + ": as " + error.what()};
-      }
-    }
-  }
-}
-
-/// Points in the box of a stream, clear of ground and bodies.
-template <int D, int V>
-[[nodiscard]] mpm::Particles<D, V> box_of_stream(const Scene& scene, std::size_t number,
-                                                 const CartesianGrid<D>& grid,
-                                                 const mpm::AnySurface<D>& ground) {
-  auto points = mpm::fill_box(stream_of<D, V>(scene, scene.inflows[number]), grid);
-  try {
-    if (ground) mpm::require_above(points, ground);
-    require_clear_of_bodies(scene, points);
-  } catch (const InputError& error) {
-    throw InputError{"[[inflow]] " + std::to_string(number + 1) + ": " + error.what()};
-  }
-  if (scene.grains) Mixture{scene}.add_to(points, scene.inflows[number].fractions);
-  return points;
-}
-
-/// The material, and streams that enter from the start.
-template <int D, int V>
-[[nodiscard]] mpm::Particles<D, V> make_particles(const Scene& scene, const Filling<D>& filling,
-                                                  const CartesianGrid<D>& grid,
-                                                  const mpm::AnySurface<D>& ground) {
-  mpm::Particles<D, V> particles;
-  if (!scene.material.is_absent) particles = filling.template points<V>();
-  require_clear_of_bodies(scene, particles);
-  require_clear_of_streams(scene, particles);
-  if (scene.grains) Mixture{scene}.add_to(particles);
-  for (std::size_t i = 0; i < scene.inflows.size(); ++i) {
-    const auto box = box_of_stream<D, V>(scene, i, grid, ground);
-    if (begins_full(scene.inflows[i])) mpm::append(particles, box);
-  }
-  if (!scene.inflows.empty()) {
-    double number = 0;
-    for (double& id : particles.id.values()) id = number++;
-  }
-  return particles;
-}
-
-template <int D, int V>
-[[nodiscard]] mpm::Stages<D, V> make_stages(const Scene& scene, const CartesianGrid<D>& grid,
-                                            mpm::Particles<D, V>& particles) {
-  mpm::Stages<D, V> stages;
-  if constexpr (D == 2 && V == 2) {  // first: the law reads what this adds
-    if (scene.mesh.is_axisymmetric) stages.point_term = mpm::make_axisymmetric(particles, grid, scene.shape);
-  }
-  stages.stress = std::visit(
-      [&](const auto& law) -> std::unique_ptr<mpm::StressUpdate<D, V>> {
-        return std::make_unique<mpm::StressUpdateBy<D, V, std::decay_t<decltype(law)>>>(law, particles);
-      },
-      scene.law);
-  for (const InitialScene& initial : scene.initial) {
-    const std::size_t column = particles.find_column(initial.column, "the scene");
-    std::ranges::fill(particles.column(column).values(), initial.value);
-  }
-  stages.transfer = mpm::make_transfer<D, V>(scene.shape, scene.transfer);
-  stages.order = scene.order;
-  stages.averaging = scene.averaging;
-  if (scene.xpic_order > 0) stages.xpic = mpm::make_xpic<D, V>(scene.shape, scene.xpic_order);
-  stages.leaving = scene.leaving;
-  stages.balanced = particles.column_named(fraction_column);
-  stages.gravity = gravity_of<V>(scene.gravity, D);
-  return stages;
-}
-
-/// Whether a point has a density at which it bears this pressure.
-template <int D, int V>
-[[nodiscard]] bool can_bear(const mpm::Particles<D, V>& particles, const mpm::StressUpdate<D, V>& stress,
-                            double pressure) {
-  constexpr double nothing = 1e-6;  // [-], of the law's own density: material so thin is none
-  try {
-    return stress.density_at(particles, 0, pressure) > nothing * particles.density.component(0)[0];
-  } catch (const RunError&) {
-    return false;
-  }
-}
-
-/// Puts points at rest under their own weight. Where nothing presses they keep their law's density.
-/// @throws InputError if the law does not bear the pressure on the surface.
-template <int D, int V>
-void settle(const Scene& scene, const Filling<D>& filling, const mpm::Stages<D, V>& stages,
-            mpm::Particles<D, V>& particles) {
-  const int normal = normal_component(D);
-  const double gravity = -stages.gravity[static_cast<std::size_t>(normal)];
-  const double pressure = scene.material.surface_pressure;
-  if (gravity == 0 && pressure == 0) return;
-  require(can_bear(particles, *stages.stress, pressure),
-          "[material] surface_pressure = " + io::to_text(pressure) + ": the law '" +
-              std::string{stages.stress->law()} +
-              "' has no density at which it bears this pressure [Pa], as the top of the material does at the "
-              "start; give another");
-  const std::function<double(const Vector<D>&)> top = [&](const Vector<D>& x) {
-    return surface_above(scene, filling, x);
-  };
-  mpm::set_geostatic(particles, *stages.stress, normal, top, gravity, pressure);
-}
 
 /// Points, at rest under their own weight, and the parts of the step that reads their columns.
 template <int D, int V>
@@ -206,7 +25,7 @@ template <int D, int V>
   const CartesianGrid<D> grid = make_grid<D>(scene);
   const mpm::AnySurface<D> ground = ground_of<D>(scene);
   const Filling<D> filling{scene, grid, ground};
-  auto particles = make_particles<D, V>(scene, filling, grid, ground);
+  auto particles = make_points<D, V>(scene, filling, grid, ground);
   stages = make_stages(scene, grid, particles);
   stages.boundaries = make_boundaries<D, V>(scene, grid, ground, 1 + stages.transfer->stencil_shift());
   settle(scene, filling, stages, particles);
