@@ -112,11 +112,10 @@ template mpm::AnySurface<1> ground_of<1>(const Scene& scene);
 template mpm::AnySurface<2> ground_of<2>(const Scene& scene);
 template mpm::AnySurface<3> ground_of<3>(const Scene& scene);
 
-#define SCREE_INSTANCE(D, V)                                                               \
-  template mpm::Stages<D, V> make_stages(const Scene& scene, const CartesianGrid<D>& grid, \
-                                         mpm::Particles<D, V>& particles);                 \
-  template std::vector<std::unique_ptr<mpm::Boundary<D>>> make_boundaries<D, V>(           \
-      const Scene& scene, const CartesianGrid<D>& grid, const mpm::AnySurface<D>& ground, double reach);
+#define SCREE_INSTANCE(D, V)                                                                            \
+  template mpm::Stages<D, V> make_stages(const Scene&, const CartesianGrid<D>&, mpm::Particles<D, V>&); \
+  template std::vector<std::unique_ptr<mpm::Boundary<D>>> make_boundaries<D, V>(                        \
+      const Scene&, const CartesianGrid<D>&, const mpm::AnySurface<D>&, double);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
 
