@@ -112,11 +112,13 @@ template mpm::AnySurface<1> ground_of<1>(const Scene& scene);
 template mpm::AnySurface<2> ground_of<2>(const Scene& scene);
 template mpm::AnySurface<3> ground_of<3>(const Scene& scene);
 
+// NOLINTBEGIN(bugprone-macro-parentheses): D and V are template arguments
 #define SCREE_INSTANCE(D, V)                                                                            \
   template mpm::Stages<D, V> make_stages(const Scene&, const CartesianGrid<D>&, mpm::Particles<D, V>&); \
   template std::vector<std::unique_ptr<mpm::Boundary<D>>> make_boundaries<D, V>(                        \
       const Scene&, const CartesianGrid<D>&, const mpm::AnySurface<D>&, double);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
+// NOLINTEND(bugprone-macro-parentheses)
 
 }  // namespace scree::app
