@@ -9,7 +9,7 @@
 namespace scree {
 namespace {
 
-constexpr std::array thread_counts{0, 1, 2, 3, 4};
+constexpr std::array thread_counts{0, 1, 2, 3, 4, 130};  // the last: more than have a share of their own
 constexpr std::array<Index, 5> block_counts{0, 1, 2, 7, 1000};
 
 TEST(ForEachBlock, VisitsEachBlockOnce) {
