@@ -1,6 +1,7 @@
 #include "scree/restart.hpp"
 
 #include "scree/dimensions.hpp"
+#include "scree/traits.hpp"
 
 #include <scree/io/checkpoint.hpp>
 
@@ -10,7 +11,7 @@ namespace scree::app {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 3;
+constexpr std::int64_t checkpoint_version = 4;
 
 [[nodiscard]] std::string entry_of(const mpm::Column& column) {
   return "column_" + column.quantity().name;
@@ -47,6 +48,7 @@ template <class SimulationType, class Visit>
 void for_each_number(SimulationType& simulation, Visit&& visit) {
   visit("time", simulation.clock.time);
   visit("moved_time", simulation.clock.moved);
+  visit("first_dt", simulation.clock.first_dt);
   visit("step", simulation.clock.step);
   visit("frame", simulation.clock.frame);
   visit("unsegregated_time", simulation.clock.unsegregated_time);
@@ -131,12 +133,14 @@ void require_same_parts(const Simulation<D, V>& simulation, const io::Checkpoint
   require(dimensions == D && components == V,
           path.string() + ": is of a run in " + std::to_string(dimensions) + "D with " +
               std::to_string(components) + " velocity components; the scene is in " + here);
+  require_as_many(checkpoint.length("inflow_layers"), simulation.streams.inflows.size(), "[[inflow]]", path);
+  require_as_many(checkpoint.length("left_points") - 1, simulation.streams.taken.size(), "[[outflow]]", path);
+  const std::string differences = difference(checkpoint.text("traits"), traits_of_run(simulation.scene()));
+  require(differences.empty(), path.string() + ": is of another run: " + differences);
   simulation.state.particles.for_each_column([&](const mpm::Column& column) {
     require(checkpoint.contains(entry_of(column)),
             path.string() + ": is of another scene: it has no column '" + column.quantity().name + "'");
   });
-  require_as_many(checkpoint.length("inflow_layers"), simulation.streams.inflows.size(), "[[inflow]]", path);
-  require_as_many(checkpoint.length("left_points") - 1, simulation.streams.taken.size(), "[[outflow]]", path);
 }
 
 }  // namespace
@@ -146,6 +150,7 @@ void write_checkpoint(const Simulation<D, V>& simulation, const std::filesystem:
                       const std::string& scene_text) {
   io::CheckpointWriter writer{path, checkpoint_version};
   writer.add_text("scene", scene_text);
+  writer.add_text("traits", traits_text(traits_of_run(simulation.scene())));
   writer.add("dimensions", std::int64_t{D});
   writer.add("velocity_components", std::int64_t{V});
   for_each_number(simulation, [&](const std::string& name, const auto& number) { writer.add(name, number); });

@@ -144,10 +144,11 @@ void Simulation<D, V>::require_progress(const mpm::TimeStep& next) {
   constexpr double smallest_share = 1e-4;  // [-], of the first step: a flow that still obeys its limits has
                                            // not sped up by so much
   if (state.particles.size() == 0) return;
-  if (first_dt_ == 0) first_dt_ = next.dt;
-  if (next.dt >= smallest_share * first_dt_) return;
-  throw RunError{"the stable step has fallen from " + io::to_text(first_dt_) + " to " + io::to_text(next.dt) +
-                 " s, bound by the " + std::string{mpm::limit_names[static_cast<std::size_t>(next.limit)]} +
+  if (clock.first_dt == 0) clock.first_dt = next.dt;
+  if (next.dt >= smallest_share * clock.first_dt) return;
+  throw RunError{"the stable step has fallen from " + io::to_text(clock.first_dt) + " to " +
+                 io::to_text(next.dt) + " s, bound by the " +
+                 std::string{mpm::limit_names[static_cast<std::size_t>(next.limit)]} +
                  " limit: the run has become unstable; use a smaller share of the limits ([numerics])"};
 }
 

@@ -18,8 +18,9 @@ namespace scree::app {
 
 /// Where a run stands in time.
 struct Clock {
-  double time = 0;   ///< [s]
-  double moved = 0;  ///< sum of all steps, which is what bodies count; the time but for round-off [s]
+  double time = 0;      ///< [s]
+  double moved = 0;     ///< sum of all steps, which is what bodies count; the time but for round-off [s]
+  double first_dt = 0;  ///< the first stable step [s]; 0 before it
   std::int64_t step = 0;
   std::int64_t frame = 1;        ///< the next one that is due, at frame * output.every; number 0 is the start
   double unsegregated_time = 0;  ///< since the last segregation step [s]
@@ -86,7 +87,6 @@ class Simulation {
   std::optional<Coupling<D, V>> coupling_;
   std::optional<Crushing<D, V>> crushing_;
 
-  double first_dt_ = 0;  // the first stable step [s]
   Threads most_threads_;
   double point_updates_ = 0;
   Index num_points_ = 0;

@@ -4,6 +4,7 @@
 
 #include "scenes.hpp"
 
+#include <scree/io/bounds.hpp>
 #include <scree/io/checkpoint.hpp>
 
 #include <gtest/gtest.h>
@@ -141,6 +142,113 @@ TEST(BadCheckpoint, OfAnotherSceneIsRefused) {
             file.string() +
                 ": is of a run in 2D with 2 velocity components; the scene is in 1D with 2 velocity "
                 "components");
+}
+
+/// A collapse at twelve cells, and what is said when it goes on with other keys.
+[[nodiscard]] std::string message_of_other_keys(const std::vector<std::string>& other) {
+  const fs::path file = scratch_file("keys.h5");
+  std::vector<std::string> keys{"mesh.cells=12"};
+  write_checkpoint(Simulation<2, 2>{scene_of("granular_column_collapse", keys), {1}}, file, "");
+  keys.insert(keys.end(), other.begin(), other.end());
+  Simulation<2, 2> restarted{scene_of("granular_column_collapse", keys), {1}};
+  try {
+    read_checkpoint_into(restarted, file);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.rfind(file.string() + ": ", 0), 0U) << message;
+    return message.substr(file.string().size() + 2);
+  }
+  return "no error";
+}
+
+TEST(BadCheckpoint, OfAnotherMeshOrSchemeIsRefusedWithAllThatDiffers) {
+  EXPECT_EQ(message_of_other_keys({"mesh.cells=24"}),
+            "is of another run: [mesh] cells is 12 there and 24 in the scene");
+  EXPECT_EQ(message_of_other_keys({"mesh.size=[0.8, 0.4]"}),
+            "is of another run: [mesh] size is [0.8, 0.24] there and [0.8, 0.4] in the scene");
+  EXPECT_EQ(message_of_other_keys({"mesh.symmetry=axisymmetric"}),
+            "is of another run: [mesh] symmetry is plane there and axisymmetric in the scene");
+  EXPECT_EQ(message_of_other_keys({"numerics.shape=linear", "numerics.transfer=tpic", "numerics.order=musl",
+                                   "numerics.averaged_pressure=true", "numerics.viscosity=auto"}),
+            "is of another run: [numerics] shape is quadratic there and linear in the scene; [numerics] "
+            "transfer is apic there and tpic in the scene; [numerics] order is usl there and musl in the "
+            "scene; [numerics] averaged_pressure is false there and true in the scene; [numerics] viscosity "
+            "is explicit there and auto in the scene");
+}
+
+/// Another law, and grains of other sizes or none.
+TEST(BadCheckpoint, OfOtherMaterialIsRefused) {
+  const fs::path file = scratch_file("material.h5");
+  write_checkpoint(Simulation<1, 2>{scene_of("inclined_plane_column_a"), {1}}, file, "");
+  EXPECT_EQ(message_of_restart(file), file.string() +
+                                          ": is of another run: [rheology] law is newtonian there and "
+                                          "size_dependent_newtonian in the scene");
+
+  write_checkpoint(
+      Simulation<1, 2>{scene_of("inclined_plane_column", {"grains.diameters=[0.5e-3, 2e-3]"}), {1}}, file,
+      "");
+  EXPECT_EQ(message_of_restart(file), file.string() +
+                                          ": is of another run: diameters of [grains] is [0.0005, 0.002] "
+                                          "there and [0.0005, 0.001] in the scene");
+}
+
+/// What the points do not depend on may change: here constants of the law, walls, gravity, shares of the
+/// limits, ends and outputs.
+TEST(Restart, GoesOnUnderOtherConstants) {
+  EXPECT_EQ(
+      message_of_other_keys({"rheology.bulk_modulus=2e6", "rheology.mu_s=0.4", "gravity.magnitude=5",
+                             "boundaries.y_low=slip", "boundaries.leaving=absorb", "numerics.acoustic=0.3",
+                             "numerics.maximum_dt=1e-5", "time.end=2", "output.every=0.5"}),
+      "no error");
+}
+
+[[nodiscard]] std::string message_of_step(Simulation<2, 2>& simulation) {
+  try {
+    simulation.step();
+  } catch (const RunError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+/// What the last step found the material to be, 5000 times as stiff: the next step is that much shorter.
+TEST(Progress, OfAStepThatFallsByFourDecadesEndsTheRun) {
+  const std::vector<std::string> plain{"mesh.cells=12", "numerics.acoustic=0.25"};
+  Simulation<2, 2> collapse{scene_of("granular_column_collapse", plain), {1}};
+  const double wave_speed = collapse.state.rates.wave_speed;
+  const mpm::TimeStep first = collapse.next_step();
+  ASSERT_EQ(first.limit, mpm::Limit::acoustic);
+  EXPECT_EQ(message_of_step(collapse), "no error");
+  EXPECT_EQ(collapse.clock.first_dt, first.dt);
+
+  collapse.state.rates.wave_speed = 5000 * wave_speed;
+  EXPECT_EQ(message_of_step(collapse), "no error");
+  collapse.state.rates.wave_speed = 20000 * wave_speed;
+  const std::string fallen = io::to_text(collapse.next_step().dt);
+
+  EXPECT_EQ(message_of_step(collapse),
+            "the stable step has fallen from " + io::to_text(first.dt) + " to " + fallen +
+                " s, bound by the acoustic limit: the run has become unstable; use a smaller share of the "
+                "limits ([numerics])");
+}
+
+/// A restart measures from the first step of the run, not from its own.
+TEST(Progress, GoesOnFromTheFirstStepOfTheRun) {
+  const fs::path file = scratch_file("progress.h5");
+  const std::vector<std::string> coarse{"mesh.cells=12"};
+  Simulation<2, 2> unbroken{scene_of("granular_column_collapse", coarse), {1}};
+  unbroken.step();
+  const double wave_speed = unbroken.state.rates.wave_speed;
+  unbroken.state.rates.wave_speed = 5000 * wave_speed;
+  write_checkpoint(unbroken, file, "");
+
+  Simulation<2, 2> restarted{scene_of("granular_column_collapse", coarse), {1}};
+  read_checkpoint_into(restarted, file);
+
+  EXPECT_EQ(restarted.clock.first_dt, unbroken.clock.first_dt);
+  EXPECT_EQ(message_of_step(restarted), "no error");
+  restarted.state.rates.wave_speed = 20000 * wave_speed;  // four times those of the restart's own first step
+  EXPECT_NE(message_of_step(restarted), "no error");
 }
 
 TEST(BadCheckpoint, CutOffIsRefused) {
