@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <tuple>
 #include <vector>
 
 namespace scree::mpm {
@@ -220,14 +221,19 @@ TYPED_TEST(CarriedOnSites, MapAsThePaperDoesWhereThePointsAreAlike) {  // Eq. (M
 TYPED_TEST(CarriedOnSites, HaveTheSameBitsForAnyNumberOfThreads) {
   const Mixture<TypeParam::value> mixture{20, 2000};
   on_all_sites(mixture.grid, [&](auto carried) {
-    const OnSites one{mixture, carried};
-    std::vector<double> masses(one.masses.size());
-    std::vector<double> means(one.means.size());
+    const auto there_and_back = [&](int threads) {
+      auto changing = mixture;
+      std::vector<double> masses(OnSites{mixture, carried}.masses.size());
+      std::vector<double> means(masses.size() * num_classes);
+      carried.to_sites(changing.particles, changing.blocks, changing.fields(), masses, means, {threads});
+      carried.to_points(changing.blocks, changing.particles, changing.particles.column(changing.column),
+                        means, changed(means, masses), CarriedMap::exchange, {threads});
+      const auto fractions = changing.particles.column(changing.column).values();
+      return std::tuple{masses, means, std::vector<double>{fractions.begin(), fractions.end()}};
+    };
+    const auto alone = there_and_back(1);
 
-    carried.to_sites(mixture.particles, mixture.blocks, mixture.fields(), masses, means, {3});
-
-    EXPECT_EQ(masses, one.masses);
-    EXPECT_EQ(means, one.means);
+    for (const int threads : {2, 3, 4}) EXPECT_EQ(there_and_back(threads), alone) << threads << " threads";
   });
 }
 

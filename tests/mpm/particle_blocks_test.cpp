@@ -10,66 +10,90 @@
 #include <algorithm>
 #include <atomic>
 #include <set>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace scree::mpm {
 namespace {
 
-/// All blocks of a mesh of n x m cells, and their colours.
-ParticleBlocks<2> all_blocks(const CartesianGrid<2>& grid) {
-  ParticleBlocks<2> blocks;
-  Indices<2> count{};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    count[axis] = (grid.num_cells()[axis] + 1 + block_edge<2> - 1) / block_edge<2>;
+/// All blocks of so many cells along each axis of a mesh, and their colours.
+template <int D>
+ParticleBlocks<D> all_blocks(const CartesianGrid<D>& grid, Index edge = block_edge<D>) {
+  ParticleBlocks<D> blocks;
+  blocks.edge = edge;
+  Lattice<D> lattice;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    lattice.count[axis] = (grid.num_cells()[axis] + 1 + edge - 1) / edge;
   }
-  for (Index j = 0; j < count[1]; ++j) {
-    for (Index i = 0; i < count[0]; ++i) {
-      blocks.blocks.push_back({{i * block_edge<2> - 1, j * block_edge<2> - 1}, 0, 0});
-    }
+  for (Index b = 0; b < lattice.num_sites(); ++b) {
+    Indices<D> first_cell = lattice.site(b);
+    for (Index& cell : first_cell) cell = cell * edge - 1;
+    blocks.blocks.push_back({first_cell, 0, 0});
   }
   colour_blocks(blocks, grid);
   return blocks;
 }
 
 /// The nodes that points of a block can give to: one cell beyond it to either side, and their stencils.
-std::set<Index> nodes_of(const ParticleBlock<2>& block, const CartesianGrid<2>& grid, Index support) {
-  const Lattice<2> lattice = grid.nodes();
-  std::set<Index> nodes;
-  const auto wrap = [&](Index node, std::size_t axis) {
-    const Index n = lattice.count[axis];
-    return grid.is_periodic()[axis] ? (node % n + n) % n : std::clamp<Index>(node, 0, n - 1);
-  };
-  const Index reach = block_edge<2> + support;
-  for (Index j = -1; j < reach; ++j) {
-    for (Index i = -1; i < reach; ++i) {
-      nodes.insert(lattice.index({wrap(block.first_cell[0] + i, 0), wrap(block.first_cell[1] + j, 1)}));
+template <int D>
+std::vector<Index> nodes_of(const ParticleBlock<D>& block, const CartesianGrid<D>& grid, Index edge,
+                            Index support) {
+  const Lattice<D> nodes = grid.nodes();
+  Lattice<D> reached;
+  reached.count.fill(1 + edge + support);
+  std::set<Index> found;
+  for (Index r = 0; r < reached.num_sites(); ++r) {
+    Indices<D> node = reached.site(r);
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      const Index n = nodes.count[axis];
+      node[axis] += block.first_cell[axis] - 1;
+      node[axis] =
+          grid.is_periodic()[axis] ? (node[axis] % n + n) % n : std::clamp<Index>(node[axis], 0, n - 1);
     }
+    found.insert(nodes.index(node));
   }
-  return nodes;
+  return {found.begin(), found.end()};
 }
 
-Index widest_support() {
-  std::size_t widest = 0;
+/// Counts every node once for each block of a colour that can give to it.
+template <int D>
+void expect_blocks_of_a_colour_apart(const CartesianGrid<D>& grid, Index edge, Index support) {
+  const auto blocks = all_blocks(grid, edge);
+  for (const auto& colour : blocks.colours) {
+    std::vector<int> users(static_cast<std::size_t>(grid.nodes().num_sites()), 0);
+    for (const Index b : colour) {
+      for (const Index node : nodes_of(blocks.blocks[static_cast<std::size_t>(b)], grid, edge, support)) {
+        ++users[static_cast<std::size_t>(node)];
+      }
+    }
+    EXPECT_LE(std::ranges::max(users), 1) << grid.num_cells()[0] << " cells, blocks of " << edge << " under "
+                                          << support << " nodes, periodic: " << grid.is_periodic()[0];
+  }
+}
+
+template <class Dimension>
+class BlocksOfOneColour : public ::testing::Test {};
+using Dimensions = ::testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
+                                    std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(BlocksOfOneColour, Dimensions);
+
+TYPED_TEST(BlocksOfOneColour, ShareNoNodeUnderAnyShape) {
+  constexpr int D = TypeParam::value;
   for (const AnyShape& shape : every<AnyShape>()) {
-    std::visit([&](auto one) { widest = std::max(widest, decltype(one)::support); }, shape);
-  }
-  return static_cast<Index>(widest);
-}
-
-TEST(ParticleBlocks, OfOneColourShareNoNode) {
-  for (const Index cells : {1, 2, 7, 8, 15, 16, 20, 23, 24, 31, 39, 40, 55}) {  // 1, 2, 3, .. 7 blocks
-    for (const bool is_periodic : {false, true}) {
-      const CartesianGrid<2> grid{
-          Vector<2>::Zero(), Vector<2>::Ones(), {cells, 20}, {is_periodic, is_periodic}};
-      const auto blocks = all_blocks(grid);
-      for (const auto& colour : blocks.colours) {
-        std::set<Index> taken;
-        for (const Index b : colour) {
-          for (const Index node :
-               nodes_of(blocks.blocks[static_cast<std::size_t>(b)], grid, widest_support())) {
-            EXPECT_TRUE(taken.insert(node).second) << cells << " cells, block " << b << ", node " << node;
-          }
-        }
+    const Index edge = make_transfer<D, D>(shape, Apic{})->sort_edge();
+    const auto support =
+        std::visit([](auto one) { return static_cast<Index>(decltype(one)::support); }, shape);
+    for (Index cells = 1; cells <= 6 * edge + 1;
+         cells += D == 1 ? 5 : 1) {  // 1, 2, .. 7 blocks, whole or not
+      Indices<D> count;
+      count.fill(edge);  // two blocks, the second with the last node alone
+      count[0] = cells;
+      for (const bool is_periodic : {false, true}) {
+        std::array<bool, D> periodic;
+        periodic.fill(is_periodic);
+        expect_blocks_of_a_colour_apart<D>({Vector<D>::Zero(), Vector<D>::Ones(), count, periodic}, edge,
+                                           support);
       }
     }
   }
