@@ -62,16 +62,16 @@ mpm::AnySurface<D> surface_of(const BodyScene& body) {
 }
 
 template <int D>
-std::unique_ptr<mpm::Boundary<D>> make_body(const BodyScene& body) {
+std::unique_ptr<mpm::Boundary<D>> make_body(const BodyScene& body, Symmetry symmetry) {
   return with_contact(body.contact, [&]<class Law>(const mpm::Contact<Law>& contact,
                                                    const typename Law::template Input<double>& input) {
-    return mpm::make_rigid_body<D, Law>(contact, surface_of<D>(body), motion_of<D>(body), 0, input);
+    return mpm::make_rigid_body<D, Law>(contact, surface_of<D>(body), motion_of<D>(body), 0, input, symmetry);
   });
 }
 
 template mpm::AnySurface<2> surface_of(const BodyScene&);
-template std::unique_ptr<mpm::Boundary<2>> make_body(const BodyScene&);
+template std::unique_ptr<mpm::Boundary<2>> make_body(const BodyScene&, Symmetry);
 template mpm::AnySurface<3> surface_of(const BodyScene&);
-template std::unique_ptr<mpm::Boundary<3>> make_body(const BodyScene&);
+template std::unique_ptr<mpm::Boundary<3>> make_body(const BodyScene&, Symmetry);
 
 }  // namespace scree::app

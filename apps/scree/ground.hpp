@@ -5,6 +5,7 @@
 #include <scree/grid.hpp>
 #include <scree/mpm/boundary.hpp>
 #include <scree/mpm/terrain/signed_distance.hpp>
+#include <scree/symmetry.hpp>
 
 #include <memory>
 
@@ -22,8 +23,9 @@ template <int D>
 template <int D>
 [[nodiscard]] std::unique_ptr<mpm::Boundary<D>> make_terrain(const TerrainScene& terrain,
                                                              const mpm::AnySurface<D>& surface,
-                                                             const CartesianGrid<D>& grid);
+                                                             const CartesianGrid<D>& grid,
+                                                             Symmetry symmetry = Symmetry::plane);
 template <int D>
-[[nodiscard]] std::unique_ptr<mpm::Boundary<D>> make_body(const BodyScene& body);
+[[nodiscard]] std::unique_ptr<mpm::Boundary<D>> make_body(const BodyScene& body, Symmetry symmetry);
 
 }  // namespace scree::app

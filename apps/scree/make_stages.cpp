@@ -60,17 +60,18 @@ std::vector<std::unique_ptr<mpm::Boundary<D>>> make_boundaries(const Scene& scen
                                                                const CartesianGrid<D>& grid,
                                                                const mpm::AnySurface<D>& ground,
                                                                double reach) {
+  const auto symmetry = scene.mesh.is_axisymmetric ? Symmetry::axial : Symmetry::plane;
   std::vector<std::unique_ptr<mpm::Boundary<D>>> boundaries;
   if constexpr (D > 1) {
-    if (ground) boundaries.push_back(make_terrain<D>(*scene.terrain, ground, grid));
+    if (ground) boundaries.push_back(make_terrain<D>(*scene.terrain, ground, grid, symmetry));
     require_apart(scene, grid, ground);
-    for (const BodyScene& body : scene.bodies) boundaries.push_back(make_body<D>(body));
+    for (const BodyScene& body : scene.bodies) boundaries.push_back(make_body<D>(body, symmetry));
   }
   for (int axis = 0; axis < D; ++axis) {
     const AxisScene& ends = scene.axes[static_cast<std::size_t>(axis)];
     if (ends.is_periodic) continue;
-    boundaries.push_back(make_boundary<D>(ends.low, axis, mpm::Side::low));
-    boundaries.push_back(make_boundary<D>(ends.high, axis, mpm::Side::high));
+    boundaries.push_back(make_boundary<D>(ends.low, axis, mpm::Side::low, symmetry));
+    boundaries.push_back(make_boundary<D>(ends.high, axis, mpm::Side::high, symmetry));
   }
   for (const InflowScene& inflow : scene.inflows) {
     boundaries.push_back(mpm::make_inflow_hold(stream_of<D, V>(scene, inflow), grid, reach));

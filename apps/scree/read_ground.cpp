@@ -148,6 +148,10 @@ void read_turn(const TomlTable& table, BodyScene& body, std::size_t dimensions) 
   body.stop = std::numeric_limits<double>::infinity();
   if (table.has("stop")) body.stop = table.number("stop", "end of the motion [s]", at_least(0));
   body.may_overlap = table.boolean_or(false, "may_overlap", "whether it may begin in ground or in a body");
+  table.check(!scene.mesh.is_axisymmetric || body.velocity[0] == 0, {"velocity"},
+              "must lie along y: round an axis of symmetry a body does not move away from it");
+  table.check(!scene.mesh.is_axisymmetric || body.angular_velocity == 0, {"angular_velocity"},
+              "must be 0: round an axis of symmetry a body does not turn");
   table.check(body.stop >= body.start, {"stop", "start"},
               fmt::format("must not come before start = {:g}", body.start));
   return body;

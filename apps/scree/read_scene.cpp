@@ -242,17 +242,6 @@ void check_symmetry(const TomlTable& root, const Scene& scene) {
   const auto* axis = std::get_if<mpm::AnyWall>(&scene.axes[0].low);
   boundaries.check(!scene.axes[0].is_periodic && axis != nullptr && std::holds_alternative<mpm::Slip>(*axis),
                    {"x_low"}, "the axis of symmetry must be \"slip\"");
-  const bool has_friction = std::ranges::any_of(scene.axes,
-                                                [](const AxisScene& ends) {
-                                                  return std::holds_alternative<FrictionScene>(ends.low) ||
-                                                         std::holds_alternative<FrictionScene>(ends.high);
-                                                }) ||
-                            scene.terrain || !scene.bodies.empty();
-  if (has_friction) {
-    root.add_fault("mesh",
-                   "symmetry = \"axisymmetric\": walls with friction, terrain and bodies know areas of a "
-                   "plane flow only");
-  }
   root.table_or_empty("gravity").check(scene.gravity.slope_degrees == 0, {"slope_degrees"},
                                        "flow round an axis has none");
   const TomlTable numerics = root.table_or_empty("numerics");

@@ -21,9 +21,11 @@ template <int D>
 
 /// Adds what the nodes of a cell stand for: the sum over samples of hat functions times a delta function of
 /// the distance, as wide as makes its sum exact for planes, \cite engquist2005.
-template <int D>
-void add_areas(const AnySurface<D>& surface, const Vector<D>& low, const Vector<D>& spacing,
-               const std::array<Index, std::size_t{1} << D>& corners, std::vector<double>& areas) {
+/// @param depth_at_place of the flow, at a place of the bed [m]
+template <int D, class DepthAtPlace>
+void add_areas(const AnySurface<D>& surface, const DepthAtPlace& depth_at_place, const Vector<D>& low,
+               const Vector<D>& spacing, const std::array<Index, std::size_t{1} << D>& corners,
+               std::vector<double>& areas) {
   constexpr Index m = samples_per_edge<D>;
   Lattice<D> samples;
   samples.count.fill(m);
@@ -38,17 +40,19 @@ void add_areas(const AnySurface<D>& surface, const Vector<D>& low, const Vector<
     const Vector<D> on_bed = x - seen.distance * seen.normal;
     const Vector<D> xi =
         (on_bed - low).cwiseQuotient(spacing).cwiseMax(Vector<D>::Zero()).cwiseMin(Vector<D>::Ones());
+    const double area = depth_at_place(on_bed) * closeness / width * samples.spacing.prod();
     for (std::size_t corner = 0; corner < corners.size(); ++corner) {
       double weight = 1;
       for (int axis = 0; axis < D; ++axis) weight *= (corner >> axis) & 1 ? xi[axis] : 1 - xi[axis];
-      areas[static_cast<std::size_t>(corners[corner])] += weight * closeness / width * samples.spacing.prod();
+      areas[static_cast<std::size_t>(corners[corner])] += weight * area;
     }
   }
 }
 
 template <int D>
 [[nodiscard]] std::vector<double> areas_of(const CartesianGrid<D>& grid, const Nodes<D>& nodes,
-                                           const AnySurface<D>& surface) {
+                                           const AnySurface<D>& surface, Symmetry symmetry) {
+  const auto depth_at_place = [&](const Vector<D>& x) { return depth_at(symmetry, grid, x); };
   std::vector<double> areas(static_cast<std::size_t>(nodes.num_nodes()), 0.0);
   const Lattice<D> cells = grid.cells();
   for (Index c = 0; c < cells.num_sites(); ++c) {
@@ -63,7 +67,7 @@ template <int D>
         corners[corner] += nodes.place(node, axis) * nodes.stride(axis);
       }
     }
-    add_areas<D>(surface, centre - grid.spacing() / 2, grid.spacing(), corners, areas);
+    add_areas<D>(surface, depth_at_place, centre - grid.spacing() / 2, grid.spacing(), corners, areas);
   }
   return areas;
 }
@@ -81,9 +85,10 @@ Vector<D> node_position(const Nodes<D>& nodes, Index node) {
 }
 
 template <int D>
-std::vector<BedNode> bed_nodes(const CartesianGrid<D>& grid, const AnySurface<D>& surface) {
+std::vector<BedNode> bed_nodes(const CartesianGrid<D>& grid, const AnySurface<D>& surface,
+                               Symmetry symmetry) {
   const Nodes<D> nodes{grid, {.num_velocities = 1, .has_increment = false}};
-  const std::vector<double> areas = areas_of(grid, nodes, surface);
+  const std::vector<double> areas = areas_of(grid, nodes, surface, symmetry);
   const double least = least_area_share * grid.spacing().prod() / grid.spacing().maxCoeff();
   const double rounding = 1e-9;  // [-], of the reach: a bed through nodes does not reach the next ones
   std::vector<BedNode> result;
@@ -99,10 +104,10 @@ std::vector<BedNode> bed_nodes(const CartesianGrid<D>& grid, const AnySurface<D>
 }
 
 template Vector<1> node_position(const Nodes<1>&, Index);
-template std::vector<BedNode> bed_nodes(const CartesianGrid<1>&, const AnySurface<1>&);
+template std::vector<BedNode> bed_nodes(const CartesianGrid<1>&, const AnySurface<1>&, Symmetry);
 template Vector<2> node_position(const Nodes<2>&, Index);
-template std::vector<BedNode> bed_nodes(const CartesianGrid<2>&, const AnySurface<2>&);
+template std::vector<BedNode> bed_nodes(const CartesianGrid<2>&, const AnySurface<2>&, Symmetry);
 template Vector<3> node_position(const Nodes<3>&, Index);
-template std::vector<BedNode> bed_nodes(const CartesianGrid<3>&, const AnySurface<3>&);
+template std::vector<BedNode> bed_nodes(const CartesianGrid<3>&, const AnySurface<3>&, Symmetry);
 
 }  // namespace scree::mpm

@@ -50,8 +50,8 @@ template <int D, WallLaw Law>
 [[nodiscard]] std::unique_ptr<Boundary<D>> make_bed(
     const Contact<Law>& contact,
     const std::function<typename Law::template Input<double>(const Vector<D>&)>& input_at,
-    const CartesianGrid<D>& grid, const AnySurface<D>& surface) {
-  std::vector<BedNode> held = bed_nodes(grid, surface);
+    const CartesianGrid<D>& grid, const AnySurface<D>& surface, Symmetry symmetry = Symmetry::plane) {
+  std::vector<BedNode> held = bed_nodes(grid, surface, symmetry);
   const Nodes<D> nodes{grid, {.num_velocities = 1, .has_increment = false}};
   std::vector<typename Law::template Input<double>> inputs;
   inputs.reserve(held.size());
@@ -62,10 +62,11 @@ template <int D, WallLaw Law>
 /// A bed of any shape under a law that reads nothing.
 template <int D, WallLaw Law>
 [[nodiscard]] std::unique_ptr<Boundary<D>> make_bed(const Contact<Law>& contact, const CartesianGrid<D>& grid,
-                                                    const AnySurface<D>& surface) {
+                                                    const AnySurface<D>& surface,
+                                                    Symmetry symmetry = Symmetry::plane) {
   using Input = typename Law::template Input<double>;
   return make_bed<D, Law>(
-      contact, [](const Vector<D>&) { return Input{}; }, grid, surface);
+      contact, [](const Vector<D>&) { return Input{}; }, grid, surface, symmetry);
 }
 
 }  // namespace scree::mpm

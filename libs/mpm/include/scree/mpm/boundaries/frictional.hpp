@@ -4,6 +4,7 @@
 #include <scree/mpm/boundaries/hold.hpp>
 #include <scree/mpm/boundaries/wall_lines.hpp>
 #include <scree/mpm/boundary.hpp>
+#include <scree/symmetry.hpp>
 #include <scree/wall_law.hpp>
 
 #include <memory>
@@ -19,8 +20,13 @@ class FrictionalWall final : public Boundary<D> {
  public:
   using Input = typename Law::template Input<double>;
 
-  FrictionalWall(const Law& law, const Input& input, Hold hold, int axis, Side side)
-      : law_{law}, input_{input}, hold_{hold}, axis_{static_cast<std::size_t>(axis)}, side_{side} {}
+  FrictionalWall(const Law& law, const Input& input, Hold hold, int axis, Side side, Symmetry symmetry)
+      : law_{law},
+        input_{input},
+        hold_{hold},
+        axis_{static_cast<std::size_t>(axis)},
+        side_{side},
+        symmetry_{symmetry} {}
 
   void fold(Nodes<D>& nodes) const noexcept override {
     const int num_values = nodes.record().size();
@@ -65,17 +71,15 @@ class FrictionalWall final : public Boundary<D> {
     return left;
   }
 
-  /// The part of the wall that a node stands for [m^(D-1)], given the image beyond it; half of it where
-  /// another wall cuts it.
+  /// The part of the wall that a node stands for, the integral of its hat function over it [m^(D-1)], given
+  /// the image beyond it.  Eqs. (M28), (M176)
   [[nodiscard]] double area_of(const Nodes<D>& nodes, Index image) const noexcept {
-    double area = 1;
+    const bool is_ring = symmetry_ == Symmetry::axial && axis_ == 0;
+    double area = is_ring ? nodes.grid().length(0) : 1;
     for (std::size_t other = 0; other < D; ++other) {
       if (other == axis_) continue;
-      const Index place = image / nodes.stride(other) % nodes.count(other);
-      const bool is_cut =
-          !nodes.grid().is_periodic()[other] &&
-          (place == Nodes<D>::num_images || place == nodes.count(other) - 1 - Nodes<D>::num_images);
-      area *= nodes.grid().spacing()[static_cast<int>(other)] / (is_cut ? 2 : 1);
+      const Index node = image / nodes.stride(other) % nodes.count(other) + nodes.first(other);
+      area *= hat_integral(symmetry_, nodes.grid(), static_cast<int>(other), node);
     }
     return area;
   }
@@ -85,16 +89,20 @@ class FrictionalWall final : public Boundary<D> {
   Hold hold_;
   std::size_t axis_;
   Side side_;
+  Symmetry symmetry_;
 };
 
 /// A wall with friction, on an end of an axis.
 /// @param input what the law reads, the same all over the wall
-/// @throws InputError if there is no such axis.
+/// @throws InputError if there is no such axis, or it would be an axis of symmetry, where no wall is.
 template <int D, WallLaw Law>
 [[nodiscard]] std::unique_ptr<Boundary<D>> make_frictional_wall(
-    const Law& law, const typename Law::template Input<double>& input, Hold hold, int axis, Side side) {
+    const Law& law, const typename Law::template Input<double>& input, Hold hold, int axis, Side side,
+    Symmetry symmetry = Symmetry::plane) {
   require(0 <= axis && axis < D, "make_frictional_wall: no such axis");
-  return std::make_unique<FrictionalWall<D, Law>>(law, input, hold, axis, side);
+  require(symmetry == Symmetry::plane || axis > 0 || side == Side::high,
+          "make_frictional_wall: the low end of axis 0 is the axis of symmetry, which slips");
+  return std::make_unique<FrictionalWall<D, Law>>(law, input, hold, axis, side, symmetry);
 }
 
 }  // namespace scree::mpm

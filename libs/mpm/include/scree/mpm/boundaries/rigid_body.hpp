@@ -21,12 +21,13 @@ class RigidBody final : public Boundary<D> {
   /// @param shape in the body's own coordinates; must not throw
   /// @param start_time of the run [s], from which the steps count
   RigidBody(const Contact<Law>& contact, const Input& input, AnySurface<D> shape, RigidMotion<D> motion,
-            double start_time)
+            double start_time, Symmetry symmetry)
       : contact_{contact},
         input_{input},
         shape_{std::move(shape)},
         motion_{std::move(motion)},
-        time_{start_time} {}
+        time_{start_time},
+        symmetry_{symmetry} {}
 
   void fold(Nodes<D>& /*nodes*/) const noexcept override {}
 
@@ -44,7 +45,8 @@ class RigidBody final : public Boundary<D> {
       const Vector<D> normal = now.turn * seen.normal;
       const double reach = normal.cwiseAbs().dot(nodes.grid().spacing());
       if (!(seen.distance < reach)) continue;
-      const double share = std::max(1 - std::abs(seen.distance) / reach, least_area_share);
+      const double depth = depth_at(symmetry_, nodes.grid(), Vector<D>{x - seen.distance * normal});
+      const double share = std::max(depth * (1 - std::abs(seen.distance) / reach), least_area_share);
       const double mobility = dt * share * volume / reach / node[NodeRecord::mass];
       const Vector<3> wall = embedded((next.in_space(body) - x) / dt);
       change_velocity(layout, node, [&](const Vector<3>& velocity) -> Vector<3> {
@@ -68,15 +70,20 @@ class RigidBody final : public Boundary<D> {
   AnySurface<D> shape_;
   RigidMotion<D> motion_;
   double time_;
+  Symmetry symmetry_;
 };
 
-/// @throws InputError if the motion's axis is none.
+/// @throws InputError if the motion's axis is none, or the body does not stay one of revolution round an axis
+///   of symmetry.
 template <int D, WallLaw Law>
 [[nodiscard]] std::unique_ptr<Boundary<D>> make_rigid_body(
     const Contact<Law>& contact, AnySurface<D> shape, RigidMotion<D> motion, double start_time = 0,
-    const typename Law::template Input<double>& input = {}) {
+    const typename Law::template Input<double>& input = {}, Symmetry symmetry = Symmetry::plane) {
   check(motion);
-  return std::make_unique<RigidBody<D, Law>>(contact, input, std::move(shape), std::move(motion), start_time);
+  require(symmetry == Symmetry::plane || !motion.angle,
+          "make_rigid_body: a body that turns does not stay one of revolution");
+  return std::make_unique<RigidBody<D, Law>>(contact, input, std::move(shape), std::move(motion), start_time,
+                                             symmetry);
 }
 
 }  // namespace scree::mpm

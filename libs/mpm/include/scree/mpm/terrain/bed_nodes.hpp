@@ -2,6 +2,7 @@
 
 #include <scree/mpm/nodes.hpp>
 #include <scree/mpm/terrain/signed_distance.hpp>
+#include <scree/symmetry.hpp>
 
 #include <vector>
 
@@ -12,7 +13,7 @@ struct BedNode {
   Index node;        ///< in Nodes
   Vector<3> normal;  ///< of unit length, into the material; zero beyond the axes of the mesh
   /// The part of the bed that the node stands for [m^(D-1)], integral of its hat function over the bed, and
-  /// at least `least_area_share` of a cell's face.  Eq. (M62)
+  /// at least `least_area_share` of a cell's face; of a radian round an axis.  Eqs. (M62), (M177)
   double area;
 };
 
@@ -25,7 +26,8 @@ inline constexpr double least_area_share = 1e-9;
 /// are left out.
 /// @throws InputError if the surface reaches no node of the mesh.
 template <int D>
-[[nodiscard]] std::vector<BedNode> bed_nodes(const CartesianGrid<D>& grid, const AnySurface<D>& surface);
+[[nodiscard]] std::vector<BedNode> bed_nodes(const CartesianGrid<D>& grid, const AnySurface<D>& surface,
+                                             Symmetry symmetry = Symmetry::plane);
 
 /// Where a node of Nodes is, images past the mesh among them [m].
 template <int D>
