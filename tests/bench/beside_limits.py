@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Steps of material points beside a program that shows what the machine can do, in turn."""
+"""The rows that speed is judged by, where there is one beside a program that shows what the machine can do."""
 
 import argparse
 import json
+import math
 import re
 import subprocess
 from dataclasses import dataclass
@@ -42,6 +43,13 @@ def rows() -> list[Row]:
 WITHIN = [("{}D_apic_quadratic_2_threads", "{}D_apic_quadratic", 1.7),
           ("{}D_apic_quadratic_2e6_points", "{}D_apic_quadratic", 0.75),
           ("{}D_apic_quadratic_2_percent_filled", "{}D_apic_quadratic", 0.8)]
+
+# Cell-classes and cell-steps of transport: benchmark, its program, classes of the limit's row or none, what is asked
+# [millions a second].
+OF_TRANSPORT = [("probe_rates<2>", "transport_bench", 2, 120),
+                ("probe_rates<8>", "transport_bench", 8, 120),
+                ("euler_step", "transport_bench", None, 20),
+                ("step/triangles_hilbert/real_time", "transport_unstructured_bench", None, 5)]
 
 
 def to_nodes(axes: int, support: int, value: bool, slope: bool) -> int:
@@ -85,12 +93,36 @@ def rate_of_limit(folder: Path, row: Row) -> float:
     return float(found[1])
 
 
-def measure(bench: Path, name: str, threads: int) -> dict:
-    """A row of mpm_bench, its "rate" in millions a second: of CPU time on one thread, which others leave alone."""
-    text = run(str(bench), f"--benchmark_filter=^{name}/", "--benchmark_format=json")
+def measure(bench: Path, name: str, threads: int = 1) -> dict:
+    """A row of a benchmark, its "rate" in millions a second: of CPU time on one thread, as others run too."""
+    text = run(str(bench), f"--benchmark_filter=^{name}(/|$)", "--benchmark_format=json")
     row = json.loads(text)["benchmarks"][0]
-    row["rate"] = row["items_per_second"] / 1e6 * (row["real_time"] / row["cpu_time"] if threads == 1 else 1)
+    by_the_clock = row["name"].endswith("real_time") and threads == 1
+    row["rate"] = row["items_per_second"] / 1e6 * (row["real_time"] / row["cpu_time"] if by_the_clock else 1)
     return row
+
+
+def rate_of_segregation(folder: Path, classes: int) -> float:
+    text = run(str(folder / "segregation"))
+    return float(re.search(rf"Ns={classes} threads 1:.*face-once +([\d.]+)", text)[1])
+
+
+def transport(benches: Path, limits: Path, rounds: int) -> None:
+    print("million cell-classes or cell-steps / s     scree limit ratio asked of scree")
+    for name, program, classes, asked in OF_TRANSPORT:
+        rate = max(measure(benches / program, name)["rate"] for _ in range(rounds))
+        beside = f"{'-':>5} {'-':>5}"
+        if classes:
+            limit = max(rate_of_segregation(limits, classes) for _ in range(rounds))
+            beside = f"{limit:5.1f} {rate / limit:5.2f}"
+        print(f"{name:38} {rate:9.1f} {beside} {asked:5}", flush=True)
+
+
+def sorting(bench: Path, dimensions: int, ns_of_step: float, rounds: int) -> None:
+    """A sort is due when a point has gone a cell: how rarely it must to take less than a twentieth of the time."""
+    rate = max(measure(bench, f"{dimensions}D_sort")["rate"] for _ in range(rounds))
+    print(f"{dimensions}D_sort: {1e3 / rate:.0f} ns per point, less than 5 % of the time from one in "
+          f"{math.ceil(20 * 1e3 / rate / ns_of_step)} steps of {ns_of_step:.0f} ns on")
 
 
 def peak(folder: Path) -> float:
@@ -101,10 +133,12 @@ def peak(folder: Path) -> float:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--bench", type=Path, required=True, help="the program mpm_bench")
-    parser.add_argument("--limits", type=Path, required=True, help="folder of machine, step2d and step3d")
+    parser.add_argument("--bench", type=Path, required=True, help="folder of scree's benchmarks")
+    parser.add_argument("--limits", type=Path, required=True,
+                        help="folder of machine, step2d, step3d and segregation")
     parser.add_argument("--rounds", type=int, default=2, help="each takes both in turn; the best counts")
     options = parser.parse_args()
+    points = options.bench / "mpm_bench"
 
     most = peak(options.limits)
     print(f"one core makes {most:.1f} Gflop/s by multiply-adds of doubles")
@@ -113,7 +147,7 @@ def main() -> None:
     best = {}
     for row in rows():
         limit = max(rate_of_limit(options.limits, row) for _ in range(options.rounds))
-        measured = max((measure(options.bench, row.name, row.threads) for _ in range(options.rounds)),
+        measured = max((measure(points, row.name, row.threads) for _ in range(options.rounds)),
                        key=lambda one: one["rate"])
         rate = measured["rate"]
         best[row.name] = rate
@@ -128,8 +162,11 @@ def main() -> None:
         for name, other, asked in WITHIN:
             name, other = name.format(d), other.format(d)
             if name not in best:
-                best[name] = max(measure(options.bench, name, 1)["rate"] for _ in range(options.rounds))
+                best[name] = max(measure(points, name)["rate"] for _ in range(options.rounds))
             print(f"{name:34} {best[name]:5.1f} {best[other]:5.1f} {best[name] / best[other]:5.2f} {asked:5.2f}")
+    for d in (2, 3):
+        sorting(points, d, 1e3 / best[f"{d}D_apic_quadratic"], options.rounds)
+    transport(options.bench, options.limits, options.rounds)
 
 
 if __name__ == "__main__":

@@ -22,7 +22,7 @@ const std::array<NamedScheme, 4> lasting_schemes{
     NamedScheme{"quadratic apic", Quadratic{}, Apic{}, 0.16796875 / 1.5 - 0.046875 * 0.046875 / 0.5},
     NamedScheme{"quadratic flip", Quadratic{}, PicFlip{1}, 0.8125 / 6 + 1.0 / 8}};
 
-TEST(ElasticBar, FollowsTheRecursionOfItsStepUnderEveryScheme) {  // Eq. (M85)
+TEST(ElasticBar, FollowsTheRecursionOfItsStepUnderEveryShape) {  // Eq. (M85)
   constexpr int num_steps = 200;
   for (const AnyShape& shape : every<AnyShape>()) {
     for (const AnyTransfer& rule :
