@@ -22,7 +22,7 @@ inline void exchange_at_site(std::span<const double> old_fractions, std::span<co
     const double change = new_fractions[k] - old_fractions[k];
     const bool loses = change < 0 && old_fractions[k] > 0;
     const double ratio = loses ? -change / old_fractions[k] : 0;
-    SCREE_ASSERT(ratio <= 1 + 1e3 * round_off);  // the segregation step keeps fractions above -1e3 round-offs
+    SCREE_ASSERT(ratio <= 1 + 1e3 * round_off);  // who changes them keeps them above -1e3 round-offs
     loss_ratio[k] = std::min(ratio, 1.0);
     gain_share[k] = std::max(change, 0.0);
     total_gain += gain_share[k];

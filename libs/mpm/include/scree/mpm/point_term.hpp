@@ -19,7 +19,7 @@ class PointTerm {
   /// Adds to what the nodes have got of the block's points, whose stress is that of this step.  @param dt [s]
   virtual void scatter(Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
                        double dt) const noexcept = 0;
-  /// When the points have moved by dt.
+  /// When the points have moved by dt [s].
   virtual void gather(Particles<D, V>& particles, const ParticleBlock<D>& block,
                       double dt) const noexcept = 0;
 };

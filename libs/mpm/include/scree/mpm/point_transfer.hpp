@@ -33,30 +33,30 @@ struct Stencil {
 /// A material point, as transfers see it.
 template <class Real, int D, int V>
 struct Point {
-  Components<Real, D> position;
-  Components<Real, V> velocity;
-  Components<Components<Real, V>, D> velocity_gradient;  ///< [j][i]: dv_i/dx_j
-  Components<Components<Real, V>, D> stress;             ///< [j][i]: sigma_ij
-  Real mass;
-  Real density;
+  Components<Real, D> position;                          ///< [m]
+  Components<Real, V> velocity;                          ///< [m/s]
+  Components<Components<Real, V>, D> velocity_gradient;  ///< [j][i]: dv_i/dx_j [1/s]
+  Components<Components<Real, V>, D> stress;             ///< [j][i]: sigma_ij [Pa]
+  Real mass;                                             ///< [kg]
+  Real density;                                          ///< [kg/m^3]
 };
 
 /// What a point gives to the nodes: mass and momentum by the weights, the slopes of momentum by the arms (or,
 /// times the second moment, by the affine weights), forces by the slopes.  Eqs. (M8)-(M10)
 template <class Real, int D, int V>
 struct Given {
-  Real mass;
-  Components<Real, V> momentum;
-  Components<Components<Real, V>, D> momentum_slope;
-  Components<Components<Real, V>, D> force;  ///< times dt if it goes to the momentum
+  Real mass;                                          ///< [kg]
+  Components<Real, V> momentum;                       ///< [kg m/s]
+  Components<Components<Real, V>, D> momentum_slope;  ///< [kg/s]
+  Components<Components<Real, V>, D> force;           ///< [N m]; times dt if it goes to the momentum
 };
 
 /// What the nodes give to a point.
 template <class Real, int D, int V>
 struct Taken {
-  Components<Real, V> velocity;
-  Components<Real, V> increment;
-  Components<Components<Real, V>, D> velocity_gradient;
+  Components<Real, V> velocity;                          ///< [m/s]
+  Components<Real, V> increment;                         ///< of it in this step [m/s]
+  Components<Components<Real, V>, D> velocity_gradient;  ///< [1/s]
 };
 
 template <TransferRule Rule, int D, Shape ShapeType, class Real>
@@ -99,8 +99,8 @@ template <TransferRule Rule, class Real, int D, int V, std::size_t S>
   return given;
 }
 
-/// det(1 + dt L): the volume, over its own, that an affine motion x + dt v makes of a body. Components of
-/// velocity without an axis have no part in it.  [-], Eq. (M125)
+/// det(1 + dt L), dt [s], L [1/s]: the volume, over its own, that an affine motion x + dt v makes of a body.
+/// Components of velocity without an axis have no part in it.  [-], Eq. (M125)
 template <class Real, int D, int V>
 [[nodiscard]] inline Real volume_ratio(const Components<Components<Real, V>, D>& velocity_gradient,
                                        double dt) noexcept {

@@ -27,7 +27,7 @@ template <int D, int V>
                                           const std::function<double(const Vector<D>&)>& density_at);
 
 /// Whether a place lies in a polygon, by the parity of the edges that a ray from it to the right crosses.
-/// @param corners in order, at least three; the last is joined to the first  [m]
+/// @param corners in order, at least three; the last is joined to the first  [m]  @param x [m]
 [[nodiscard]] bool is_in_polygon(std::span<const Vector<2>> corners, const Vector<2>& x) noexcept;
 
 /// Cells with points, and how many of them have fewer than wanted: a cell with too few carries its stress

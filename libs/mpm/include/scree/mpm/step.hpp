@@ -95,16 +95,16 @@ template <int D, int V>
 template <int D, int V>
 void resume(State<D, V>& state, const Stages<D, V>& stages);
 
-/// Advances all points by dt: stress first, with the velocity gradient of the last step, then momentum, then
-/// positions; in another order if told.  @see Eqs. (M1)-(M13), (M126)-(M132), the algorithm of
+/// Advances all points by dt [s]: stress first, with the velocity gradient of the last step, then momentum,
+/// then positions; in another order if told.  @see Eqs. (M1)-(M13), (M126)-(M132), the algorithm of
 /// docs/equations/mpm.md
 /// @throws RunError naming a point that has left the mesh (if that is to stop the run), has no finite
 /// position, or whose law was not solved; in that case no point has moved, unless stress comes last.
 template <int D, int V>
 void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads);
 
-/// v = momentum / mass + dt (force / mass + gravity) at every node heavier than `mass_floor` [kg], zero at
-/// the others; increments alike where the record has them.  Eq. (M11)
+/// v = momentum / mass + dt (force / mass + gravity), dt [s], gravity [m/s^2], at nodes over `mass_floor`
+/// [kg], zero at the others; increments alike where the record has them.  Eq. (M11)
 template <int D>
 void advance_momentum(Nodes<D>& nodes, const double* gravity, double dt, double mass_floor, Threads threads);
 

@@ -30,7 +30,7 @@ class StressUpdate {
   /// Name of the law.
   [[nodiscard]] virtual std::string_view law() const noexcept = 0;
 
-  /// Writes the stress column of the block, and the law's state.
+  /// Writes the stress column of the block, and the law's state.  @param dt [s]
   virtual BlockStiffness apply(Particles<D, V>& particles, const ParticleBlock<D>& block,
                                double dt) const noexcept = 0;
 

@@ -28,11 +28,11 @@ class Transfer {
   /// Nodes along each axis that a block's points can reach, from the one before its first cell on.
   [[nodiscard]] virtual Index tile_edge() const noexcept = 0;
 
-  /// Adds mass, momentum and internal force of a block's points to the nodes.  Eqs. (M1), (M8), (M9), (M10)
+  /// Adds mass, momentum and force (times dt [s]) of a block's points to the nodes.  Eqs. (M1), (M8)-(M10)
   virtual void scatter(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
                        double dt) const noexcept = 0;
 
-  /// Takes velocities back to the points, moves them by dt, updates their density.  Eqs. (M11)-(M13)
+  /// Takes velocities back to the points, moves them by dt [s], updates their density.  Eqs. (M11)-(M13)
   [[nodiscard]] virtual BlockMotion gather(Particles<D, V>& particles, const ParticleBlock<D>& block,
                                            const Nodes<D>& nodes, double dt) const noexcept = 0;
 };

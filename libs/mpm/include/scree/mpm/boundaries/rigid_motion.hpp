@@ -20,8 +20,8 @@ struct RigidMotion {
 /// Where a body is at one instant: x = place + turn (X - pivot), with X its own coordinates.  Eq. (M66)
 template <int D>
 struct Pose {
-  Vector<D> pivot;
-  Vector<D> place;
+  Vector<D> pivot;  ///< [m]
+  Vector<D> place;  ///< [m]
   Matrix<D> turn;
 
   [[nodiscard]] Vector<D> in_space(const Vector<D>& body) const noexcept {
@@ -32,7 +32,7 @@ struct Pose {
   }
 };
 
-/// The turn by an angle about an axis of unit length, by Rodrigues' formula, in the first D axes.
+/// The turn by an angle [rad] about an axis of unit length, by Rodrigues' formula, in the first D axes.
 template <int D>
 [[nodiscard]] Matrix<D> turn_about(const Vector<3>& axis, double angle) noexcept {
   Matrix<3> cross = Matrix<3>::Zero();

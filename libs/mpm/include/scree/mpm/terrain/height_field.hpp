@@ -34,7 +34,7 @@ class MapField {
 /// A raster as a field.  @throws InputError if it has fewer than two rows or columns, or values are missing.
 [[nodiscard]] MapField<2> map_field(const Raster& raster);
 
-/// Ground of a given height over each place of a map; height is along the last axis of the mesh.
+/// Ground of a given height [m] over each place of a map; height is along the last axis of the mesh.
 /// Distances are (z - b)/sqrt(1 + |grad b|^2).  @see Eqs. (M60), (M64)
 template <int D>
 class HeightField {

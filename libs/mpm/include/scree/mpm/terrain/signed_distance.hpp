@@ -33,7 +33,7 @@ using AnySurface = std::function<FromSurface<D>(const Vector<D>&)>;
 template <int D>
 class PlaneSurface {
  public:
-  /// @param normal into the material, of any length  @throws InputError if it has no direction or NaN.
+  /// @param point [m]  @param normal into the material, of any length  @throws InputError if NaN or zero.
   PlaneSurface(const Vector<D>& point, const Vector<D>& normal) : point_{point}, normal_{normal} {
     const double length = normal.norm();
     require(length > 0 && std::isfinite(length), "PlaneSurface: the normal must have a direction");
@@ -56,7 +56,7 @@ class BallSurface {
  public:
   enum class Material { inside, outside };
 
-  /// @param radius [m]  @throws InputError if it is not positive and finite, or the centre not finite.
+  /// @param centre [m]  @param radius [m], positive  @throws InputError if one is not finite or not that.
   BallSurface(const Vector<D>& centre, double radius, Material material)
       : centre_{centre}, radius_{radius}, sign_{material == Material::outside ? 1.0 : -1.0} {
     require(radius > 0 && std::isfinite(radius), "BallSurface: the radius must be positive and finite");
