@@ -258,6 +258,17 @@ def draw_sliding_block(folder: Path) -> list[Path]:
     return save(figure, folder / "sliding_block")
 
 
+def draw_water_column(folder: Path) -> list[Path]:
+    """The front of a column of water that collapses, and where it was seen."""
+    seen = read_table(folder / "water_column.csv")
+    figure, axes = plt.subplots(figsize=WIDE, layout="constrained")
+    axes.plot(seen["time"], seen["front"], color=SERIES_COLOURS[0])
+    axes.plot(seen["time"], seen["experiment"], "o", color="black", markersize=7)
+    axes.set(title="A column of water collapses: its front (line) and an experiment (dots)")
+    axes.set(xlabel="time [√(width/2g)]", ylabel="front [widths]", xlim=(0, 3.5), ylim=(1, None))
+    return save(figure, folder / "water_column")
+
+
 def draw_own_law(folder: Path) -> list[Path]:
     """The speed of a layer over its height, and theory."""
     layer = read_table(folder / "own_law.csv")
@@ -297,6 +308,7 @@ PICTURES: dict[str, Callable[[Path], list[Path]]] = {
     "segregation_column.csv": draw_segregation_column,
     "sliding_block.csv": draw_sliding_block,
     "slotted_disk_minmod.csv": draw_slotted_disk,
+    "water_column.csv": draw_water_column,
 }
 
 
