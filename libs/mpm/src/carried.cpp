@@ -1,6 +1,6 @@
+#include "carried_blocks.hpp"
 #include "instances.hpp"
 #include "kernel_choice.hpp"
-#include "kernels/carried_kernels.hpp"
 
 #include <scree/mpm/carried_cells.hpp>
 #include <scree/mpm/exchange_map.hpp>
@@ -11,16 +11,6 @@
 namespace scree::mpm {
 
 namespace {
-
-template <int D>
-[[nodiscard]] CarriedKernels<D> kernels_for([[maybe_unused]] InstructionSet set, Sites sites,
-                                            std::size_t shape) noexcept {
-#ifdef SCREE_WIDE_KERNELS
-  if (set == InstructionSet::x86_64_v4) return x86_64_v4::carried_kernels<D>(sites, shape);
-  if (set == InstructionSet::x86_64_v3) return x86_64_v3::carried_kernels<D>(sites, shape);
-#endif
-  return baseline::carried_kernels<D>(sites, shape);
-}
 
 /// Number of a site along an axis; that of the site whose image it is in the first layer past an end; -1 if
 /// it is further out.
@@ -109,22 +99,11 @@ CarriedCells<D, V>::CarriedCells(const CartesianGrid<D>& grid, Sites sites, cons
 template <int D, int V>
 CarriedBlock<D> CarriedCells<D, V>::opened(const Particles<D, V>& particles, const ParticleBlock<D>& block,
                                            [[maybe_unused]] Index edge) const noexcept {
-  CarriedBlock<D> open;
-  open.position = particles.position.component(0);
-  open.mass = particles.mass.component(0);
-  open.stride = particles.size();
-  open.begin = block.begin;
-  open.end = block.end;
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    const Index first = block.first_cell[axis] - 1;
-    open.origin[axis] = grid_.origin()[static_cast<int>(axis)];
-    open.inverse_spacing[axis] = 1 / grid_.spacing()[static_cast<int>(axis)];
-    open.first[axis] = static_cast<double>(first);
-    for (std::size_t i = 0; i < max_tile_edge<D>; ++i) {
-      const Index site = site_along(lattice_, first + static_cast<Index>(i), axis);
-      open.site[axis][i] = site < 0 ? -1 : site * lattice_.stride(static_cast<int>(axis));
-    }
-  }
+  const auto part_of = [&](Index place, std::size_t axis) {
+    const Index site = site_along(lattice_, place, axis);
+    return site < 0 ? Index{-1} : site * lattice_.stride(static_cast<int>(axis));
+  };
+  const CarriedBlock<D> open = detail::opened(grid_, particles, block, part_of);
   [[maybe_unused]] const bool is_cells = lattice_.sites == Sites::cells;
   [[maybe_unused]] const double shift =
       is_cells ? 0 : std::visit([](const auto& shape) { return shape.shift; }, shape_);
@@ -139,7 +118,7 @@ void CarriedCells<D, V>::to_sites(const Particles<D, V>& particles, const Partic
   const std::size_t num_fields = fields.size();
   SCREE_ASSERT(static_cast<Index>(masses.size()) == lattice_.num_sites());
   SCREE_ASSERT(means.size() == masses.size() * num_fields);
-  const auto kernels = kernels_for<D>(set_, lattice_.sites, shape_.index());
+  const auto kernels = detail::kernels_for<D>(set_, lattice_.sites, shape_.index());
   for_each_batch(masses.size(), threads, [&](std::size_t begin, std::size_t end) {
     std::ranges::fill(masses.subspan(begin, end - begin), 0.0);
     std::ranges::fill(means.subspan(begin * num_fields, (end - begin) * num_fields), 0.0);
@@ -179,7 +158,7 @@ void CarriedCells<D, V>::to_points(const ParticleBlocks<D>& blocks, const Partic
                            .stride = fractions.size(),
                            .num_classes = fractions.num_components(),
                            .is_exchange = map == CarriedMap::exchange};
-  const auto kernels = kernels_for<D>(set_, lattice_.sites, shape_.index());
+  const auto kernels = detail::kernels_for<D>(set_, lattice_.sites, shape_.index());
   blocks.for_each(threads, [&](Index b) {
     kernels.to_points(shape_, opened(particles, blocks.blocks[static_cast<std::size_t>(b)], blocks.edge),
                       change);

@@ -94,6 +94,7 @@ State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const
       "terms of points, as of flow round an axis, take their stress as they go to the nodes: the order must "
       "be usl, without means over cells");
   State<D, V> state{std::move(particles), Nodes<D>{grid, stages.transfer->record()}};
+  if (stages.node_means) state.nodes.carry(stages.node_means->size());
   const auto masses = state.particles.mass.values();
   state.mass_floor = stages.mass_floor * *std::max_element(masses.begin(), masses.end());
   const auto ids = state.particles.id.values();
@@ -118,6 +119,7 @@ template <int D, int V>
 void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
   const bool has_stress_pass = detail::has_stress_pass(stages);
   detail::prepare(state, stages);
+  detail::bring_means(state, stages, threads);
   if (stages.xpic.order > 0) detail::find_filtered(state, stages, dt, threads);
   if (stages.order == Order::usf) detail::update_stress(state, stages, dt, threads);
   detail::scatter(state, stages, dt, threads);

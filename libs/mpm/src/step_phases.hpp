@@ -67,6 +67,14 @@ void scatter(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads 
   });
 }
 
+/// What boundaries read of points, for all of the step: as the points begin it.  Eq. (M170)
+template <int D, int V>
+void bring_means(State<D, V>& state, const Stages<D, V>& stages, Threads threads) {
+  if (!stages.node_means) return;
+  const Stopwatch watch{state.seconds.nodes};
+  stages.node_means->bring(state.particles, state.blocks, state.nodes, state.spare.extremes, threads);
+}
+
 template <int D, int V>
 void move_nodes(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
   const Stopwatch watch{state.seconds.nodes};

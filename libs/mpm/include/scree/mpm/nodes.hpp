@@ -73,6 +73,18 @@ class Nodes {
     return values_.data() + node * record_.size();
   }
 
+  /// Gives every node a record of a mass and `count` means beside its own, for what points carry.  Eq. (M170)
+  void carry(Index count) {
+    carried_size_ = count + 1;
+    carried_.assign(static_cast<std::size_t>(num_nodes() * carried_size_), 0.0);
+  }
+  /// The mass that the means of a node are weighted by [kg], and they themselves.
+  [[nodiscard]] double* carried(Index node) noexcept { return carried_.data() + node * carried_size_; }
+  /// The means alone; null if no node has any.
+  [[nodiscard]] const double* means(Index node) const noexcept {
+    return carried_size_ == 0 ? nullptr : carried_.data() + node * carried_size_ + 1;
+  }
+
   /// The nodes in use, ascending, in batches of about as much work each.
   [[nodiscard]] Index num_batches() const noexcept { return static_cast<Index>(batches_.size()) - 1; }
   [[nodiscard]] std::span<const NodeRun> batch(Index number) const noexcept {
@@ -100,6 +112,8 @@ class Nodes {
   Indices<D> count_{};
   Indices<D> stride_{};
   AlignedVector<double> values_;
+  Index carried_size_ = 0;  ///< of a record
+  std::vector<double> carried_;
   std::vector<NodeRun> runs_;
   std::vector<std::size_t> batches_;  ///< the first run of each, and one past the last
   std::array<std::array<std::vector<Index>, 2>, static_cast<std::size_t>(D)> images_;

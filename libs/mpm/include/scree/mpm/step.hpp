@@ -3,6 +3,7 @@
 #include <scree/mpm/boundaries.hpp>
 #include <scree/mpm/cell_means.hpp>
 #include <scree/mpm/leaving.hpp>
+#include <scree/mpm/node_means.hpp>
 #include <scree/mpm/node_solve.hpp>
 #include <scree/mpm/order.hpp>
 #include <scree/mpm/point_term.hpp>
@@ -25,6 +26,7 @@ struct Stages {
   std::unique_ptr<StressUpdate<D, V>> stress;
   std::unique_ptr<Transfer<D, V>> transfer;
   std::vector<std::unique_ptr<Boundary<D>>> boundaries;
+  std::unique_ptr<NodeMeans<D, V>> node_means;  ///< what boundaries read of points; none: they read nothing
   std::unique_ptr<PointTerm<D, V>> point_term;  ///< such as those of axisymmetric flow; none: there are none
   std::unique_ptr<NodeSolve<D, V>> node_solve;  ///< what is implicit; none: nothing is
   std::array<double, V> gravity{};              ///< [m/s^2]
@@ -61,6 +63,7 @@ struct Spare {
   std::vector<double> density;            ///< [kg/m^3]
   std::vector<double> smooth;             ///< velocity, smoothed once [m/s]
   std::vector<double> filtered;           ///< change of velocity by the filter [m/s]
+  std::vector<Extremes> extremes;         ///< of what boundaries read of points
 };
 
 /// Everything that changes in a step.

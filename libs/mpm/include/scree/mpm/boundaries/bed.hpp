@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/mpm/boundaries/carried_input.hpp>
 #include <scree/mpm/boundaries/contact.hpp>
 #include <scree/mpm/boundary.hpp>
 #include <scree/mpm/terrain/bed_nodes.hpp>
@@ -18,9 +19,10 @@ class Bed final : public Boundary<D> {
  public:
   using Input = typename Law::template Input<double>;
 
-  /// @param inputs of the law, one for each node
-  Bed(const Contact<Law>& contact, std::vector<BedNode> nodes, std::vector<Input> inputs)
-      : contact_{contact}, nodes_{std::move(nodes)}, inputs_{std::move(inputs)} {}
+  /// @param inputs of the law, one for each node, but for what is `carried` by the points there
+  Bed(const Contact<Law>& contact, std::vector<BedNode> nodes, std::vector<Input> inputs,
+      const CarriedInput<Law>& carried)
+      : contact_{contact}, nodes_{std::move(nodes)}, inputs_{std::move(inputs)}, carried_{carried} {}
 
   void fold(Nodes<D>& /*nodes*/) const noexcept override {}
 
@@ -30,7 +32,8 @@ class Bed final : public Boundary<D> {
       const BedNode& bed = nodes_[n];
       double* node = nodes[bed.node];
       change_velocity(layout, node, [&](const Vector<3>& velocity) {
-        return contact_.left(velocity, bed.normal, dt * bed.area / node[NodeRecord::mass], inputs_[n]);
+        return contact_.left(velocity, bed.normal, dt * bed.area / node[NodeRecord::mass],
+                             carried_.at(inputs_[n], nodes.means(bed.node)));
       });
     }
   }
@@ -41,22 +44,25 @@ class Bed final : public Boundary<D> {
   Contact<Law> contact_;
   std::vector<BedNode> nodes_;
   std::vector<Input> inputs_;
+  CarriedInput<Law> carried_;
 };
 
 /// A bed of any shape.
-/// @param input_at what the law reads at a place of the bed, for instance from a raster
+/// @param input_at what the law reads at a place of the bed, for instance from a raster, but for what is
+/// `carried` by the points there
 /// @throws InputError if the surface reaches no node of the mesh.
 template <int D, WallLaw Law>
 [[nodiscard]] std::unique_ptr<Boundary<D>> make_bed(
     const Contact<Law>& contact,
     const std::function<typename Law::template Input<double>(const Vector<D>&)>& input_at,
-    const CartesianGrid<D>& grid, const AnySurface<D>& surface, Symmetry symmetry = Symmetry::plane) {
+    const CartesianGrid<D>& grid, const AnySurface<D>& surface, Symmetry symmetry = Symmetry::plane,
+    const CarriedInput<Law>& carried = {}) {
   std::vector<BedNode> held = bed_nodes(grid, surface, symmetry);
   const Nodes<D> nodes{grid, {.num_velocities = 1, .has_increment = false}};
   std::vector<typename Law::template Input<double>> inputs;
   inputs.reserve(held.size());
   for (const BedNode& node : held) inputs.push_back(input_at(node_position(nodes, node.node)));
-  return std::make_unique<Bed<D, Law>>(contact, std::move(held), std::move(inputs));
+  return std::make_unique<Bed<D, Law>>(contact, std::move(held), std::move(inputs), carried);
 }
 
 /// A bed of any shape under a law that reads nothing.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/error.hpp>
+#include <scree/mpm/boundaries/carried_input.hpp>
 #include <scree/mpm/boundaries/hold.hpp>
 #include <scree/mpm/boundaries/wall_lines.hpp>
 #include <scree/mpm/boundary.hpp>
@@ -20,9 +21,11 @@ class FrictionalWall final : public Boundary<D> {
  public:
   using Input = typename Law::template Input<double>;
 
-  FrictionalWall(const Law& law, const Input& input, Hold hold, int axis, Side side, Symmetry symmetry)
+  FrictionalWall(const Law& law, const Input& input, Hold hold, int axis, Side side, Symmetry symmetry,
+                 const CarriedInput<Law>& carried)
       : law_{law},
         input_{input},
+        carried_{carried},
         hold_{hold},
         axis_{static_cast<std::size_t>(axis)},
         side_{side},
@@ -41,11 +44,13 @@ class FrictionalWall final : public Boundary<D> {
 
   void hold(Nodes<D>& nodes, double dt) const noexcept override {
     const NodeRecord layout = nodes.record();
+    const Index inward = side_ == Side::low ? nodes.stride(axis_) : -nodes.stride(axis_);
     for_each_wall_line(nodes, axis_, side_, [&](double*, double* wall, double*, Index image) {
       Vector<3> velocity = Vector<3>::Zero();
       for (int i = 0; i < layout.num_velocities; ++i) velocity[i] = wall[NodeRecord::momentum + i];
       const double mobility = dt * area_of(nodes, image) / wall[NodeRecord::mass];
-      const Vector<3> left = left_by_wall(velocity, mobility);
+      const Vector<3> left =
+          left_by_wall(velocity, mobility, carried_.at(input_, nodes.means(image + inward)));
       for (int i = 0; i < layout.num_velocities; ++i) {
         if (layout.has_increment) wall[layout.increment() + i] += left[i] - velocity[i];
         wall[NodeRecord::momentum + i] = left[i];
@@ -63,10 +68,11 @@ class FrictionalWall final : public Boundary<D> {
   }
 
  private:
-  [[nodiscard]] Vector<3> left_by_wall(const Vector<3>& velocity, double mobility) const noexcept {
+  [[nodiscard]] Vector<3> left_by_wall(const Vector<3>& velocity, double mobility,
+                                       const Input& input) const noexcept {
     const int axis = static_cast<int>(axis_);
     const Vector<3> normal = (side_ == Side::low ? 1 : -1) * Vector<3>::Unit(axis);
-    Vector<3> left = slide<3>(law_, velocity, normal, mobility, input_);
+    Vector<3> left = slide<3>(law_, velocity, normal, mobility, input);
     if (hold_ == Hold::pushes_and_pulls) left[axis] = 0;
     return left;
   }
@@ -86,6 +92,7 @@ class FrictionalWall final : public Boundary<D> {
 
   Law law_;
   Input input_;
+  CarriedInput<Law> carried_;
   Hold hold_;
   std::size_t axis_;
   Side side_;
@@ -93,16 +100,16 @@ class FrictionalWall final : public Boundary<D> {
 };
 
 /// A wall with friction, on an end of an axis.
-/// @param input what the law reads, the same all over the wall
+/// @param input what the law reads, the same all over the wall, but for what is `carried` by the points there
 /// @throws InputError if there is no such axis, or it would be an axis of symmetry, where no wall is.
 template <int D, WallLaw Law>
 [[nodiscard]] std::unique_ptr<Boundary<D>> make_frictional_wall(
     const Law& law, const typename Law::template Input<double>& input, Hold hold, int axis, Side side,
-    Symmetry symmetry = Symmetry::plane) {
+    Symmetry symmetry = Symmetry::plane, const CarriedInput<Law>& carried = {}) {
   require(0 <= axis && axis < D, "make_frictional_wall: no such axis");
   require(symmetry == Symmetry::plane || axis > 0 || side == Side::high,
           "make_frictional_wall: the low end of axis 0 is the axis of symmetry, which slips");
-  return std::make_unique<FrictionalWall<D, Law>>(law, input, hold, axis, side, symmetry);
+  return std::make_unique<FrictionalWall<D, Law>>(law, input, hold, axis, side, symmetry, carried);
 }
 
 }  // namespace scree::mpm

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/mpm/boundaries/carried_input.hpp>
 #include <scree/mpm/boundaries/contact.hpp>
 #include <scree/mpm/boundaries/rigid_motion.hpp>
 #include <scree/mpm/boundary.hpp>
@@ -20,10 +21,11 @@ class RigidBody final : public Boundary<D> {
 
   /// @param shape in the body's own coordinates; must not throw
   /// @param start_time of the run [s], from which the steps count
-  RigidBody(const Contact<Law>& contact, const Input& input, AnySurface<D> shape, RigidMotion<D> motion,
-            double start_time, Symmetry symmetry)
+  RigidBody(const Contact<Law>& contact, const Input& input, const CarriedInput<Law>& carried,
+            AnySurface<D> shape, RigidMotion<D> motion, double start_time, Symmetry symmetry)
       : contact_{contact},
         input_{input},
+        carried_{carried},
         shape_{std::move(shape)},
         motion_{std::move(motion)},
         time_{start_time},
@@ -50,7 +52,8 @@ class RigidBody final : public Boundary<D> {
       const double mobility = dt * share * volume / reach / node[NodeRecord::mass];
       const Vector<3> wall = embedded((next.in_space(body) - x) / dt);
       change_velocity(layout, node, [&](const Vector<3>& velocity) -> Vector<3> {
-        return wall + contact_.left(velocity - wall, embedded(normal), mobility, input_);
+        return wall + contact_.left(velocity - wall, embedded(normal), mobility,
+                                    carried_.at(input_, nodes.means(n)));
       });
     }
   }
@@ -67,23 +70,26 @@ class RigidBody final : public Boundary<D> {
 
   Contact<Law> contact_;
   Input input_;
+  CarriedInput<Law> carried_;
   AnySurface<D> shape_;
   RigidMotion<D> motion_;
   double time_;
   Symmetry symmetry_;
 };
 
+/// @param input what the law reads, but for what is `carried` by the points there
 /// @throws InputError if the motion's axis is none, or the body does not stay one of revolution round an axis
 ///   of symmetry.
 template <int D, WallLaw Law>
 [[nodiscard]] std::unique_ptr<Boundary<D>> make_rigid_body(
     const Contact<Law>& contact, AnySurface<D> shape, RigidMotion<D> motion, double start_time = 0,
-    const typename Law::template Input<double>& input = {}, Symmetry symmetry = Symmetry::plane) {
+    const typename Law::template Input<double>& input = {}, Symmetry symmetry = Symmetry::plane,
+    const CarriedInput<Law>& carried = {}) {
   check(motion);
   require(symmetry == Symmetry::plane || !motion.angle,
           "make_rigid_body: a body that turns does not stay one of revolution");
-  return std::make_unique<RigidBody<D, Law>>(contact, input, std::move(shape), std::move(motion), start_time,
-                                             symmetry);
+  return std::make_unique<RigidBody<D, Law>>(contact, input, carried, std::move(shape), std::move(motion),
+                                             start_time, symmetry);
 }
 
 }  // namespace scree::mpm
