@@ -3,6 +3,7 @@
 #include "scree/dimensions.hpp"
 
 #include <scree/io/bounds.hpp>
+#include <scree/mpm/axisymmetric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ std::vector<double> class_masses(const mpm::Particles<D, V>& particles) {
 template <int D, int V>
 Coupling<D, V>::Coupling(const SegregationScene& scene, const grainsize::SizeClasses& classes,
                          const CartesianGrid<D>& grid, const mpm::AnyShape& shape,
-                         const Vector<D>& gravity_direction, Threads threads)
+                         const Vector<D>& gravity_direction, Symmetry symmetry, Threads threads)
     : classes_{classes},
       closure_{scene.closure},
       map_{scene.map},
@@ -52,7 +53,8 @@ Coupling<D, V>::Coupling(const SegregationScene& scene, const grainsize::SizeCla
                     .remixing = scene.remixing,
                     .limiter = scene.limiter,
                     .integrator = scene.integrator,
-                    .cfl = scene.cfl},
+                    .cfl = scene.cfl,
+                    .symmetry = symmetry},
                    cells_.lattice(),
                    gravity_direction,
                    threads} {
@@ -69,10 +71,11 @@ void Coupling<D, V>::drive_of_points(const mpm::Particles<D, V>& particles) {
   if (point_drive_.size() != particles.size()) point_drive_.resize(particles.size());
   const double* size = particles.column(particles.find_column(grain_size_column, "segregation")).component(0);
   double* drive = point_drive_.component(0);
+  const auto hoop = mpm::hoop_columns_of(particles);
   std::visit(
       [&](const auto& closure) {
         for (Index p = 0; p < particles.size(); ++p) {
-          drive[p] = closure.drive(shear_rate(mpm::velocity_gradient_of(particles, p)), size[p]);
+          drive[p] = closure.drive(shear_rate(mpm::velocity_gradient_of(particles, p, hoop)), size[p]);
         }
       },
       closure_);

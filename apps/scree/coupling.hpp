@@ -33,8 +33,10 @@ template <int D, int V>
 class Coupling {
  public:
   /// @param gravity_direction unit vector along the axes of the mesh, or zero
+  /// @param symmetry of the mesh
   Coupling(const SegregationScene& scene, const grainsize::SizeClasses& classes, const CartesianGrid<D>& grid,
-           const mpm::AnyShape& shape, const Vector<D>& gravity_direction, Threads threads);
+           const mpm::AnyShape& shape, const Vector<D>& gravity_direction, Symmetry symmetry,
+           Threads threads);
 
   /// Lets the grains of all points segregate over dt [s]: changes their fractions.  @throws RunError if they
   /// are absurdly fast.

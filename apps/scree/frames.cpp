@@ -3,6 +3,8 @@
 #include "scree/axes.hpp"
 #include "scree/dimensions.hpp"
 
+#include <scree/mpm/axisymmetric.hpp>
+
 #include <deque>
 
 namespace scree::app {
@@ -59,8 +61,9 @@ class FrameColumns {
   }
   [[nodiscard]] std::vector<double> shear_rates() const {
     std::vector<double> rates;
+    const auto hoop = mpm::hoop_columns_of(simulation_.state.particles);
     for (Index p = 0; p < simulation_.state.particles.size(); ++p) {
-      rates.push_back(shear_rate(mpm::velocity_gradient_of(simulation_.state.particles, p)));
+      rates.push_back(shear_rate(mpm::velocity_gradient_of(simulation_.state.particles, p, hoop)));
     }
     return rates;
   }

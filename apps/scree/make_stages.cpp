@@ -60,7 +60,7 @@ std::vector<std::unique_ptr<mpm::Boundary<D>>> make_boundaries(const Scene& scen
                                                                const CartesianGrid<D>& grid,
                                                                const mpm::AnySurface<D>& ground,
                                                                double reach) {
-  const auto symmetry = scene.mesh.is_axisymmetric ? Symmetry::axial : Symmetry::plane;
+  const Symmetry symmetry = symmetry_of(scene);
   std::vector<std::unique_ptr<mpm::Boundary<D>>> boundaries;
   if constexpr (D > 1) {
     if (ground) boundaries.push_back(make_terrain<D>(*scene.terrain, ground, grid, symmetry));

@@ -6,6 +6,7 @@
 #include <scree/mpm/particles.hpp>
 #include <scree/mpm/step.hpp>
 #include <scree/mpm/terrain/signed_distance.hpp>
+#include <scree/symmetry.hpp>
 
 #include <memory>
 #include <vector>
@@ -14,6 +15,11 @@ namespace scree::app {
 
 template <int D>
 [[nodiscard]] CartesianGrid<D> make_grid(const Scene& scene);
+
+/// What the mesh of a scene is a cut through.
+[[nodiscard]] inline Symmetry symmetry_of(const Scene& scene) noexcept {
+  return scene.mesh.is_axisymmetric ? Symmetry::axial : Symmetry::plane;
+}
 
 /// The ground of a scene; none if it has none.
 template <int D>

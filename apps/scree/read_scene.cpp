@@ -250,7 +250,6 @@ void check_symmetry(const TomlTable& root, const Scene& scene) {
   numerics.check(scene.order == mpm::Order::usl && !scene.averaging.is_on(),
                  {"order", "averaged_volume_change", "averaged_pressure"},
                  "flow round an axis takes \"usl\", without means over cells");
-  if (scene.segregation) root.add_fault("segregation", "is not for flow round an axis yet");
 }
 
 [[nodiscard]] ReadScene read(io::TomlFile file, const std::vector<std::string>& overrides,

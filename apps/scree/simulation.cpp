@@ -58,7 +58,8 @@ Simulation<D, V>::Simulation(const Scene& scene, Threads threads)
   if (scene_.segregation) {
     Vector<D> direction = Eigen::Map<const Vector<D>>{stages_.gravity.data()};
     if (direction.norm() > 0) direction.normalize();
-    coupling_.emplace(*scene_.segregation, scene_.grains->classes, grid(), scene_.shape, direction, threads_);
+    coupling_.emplace(*scene_.segregation, scene_.grains->classes, grid(), scene_.shape, direction,
+                      symmetry_of(scene_), threads_);
   }
   if (crushes(scene_.law)) {
     crushing_.emplace(state.particles, *scene_.grains, scene_.mixture.ultimate_fractal_dimension);

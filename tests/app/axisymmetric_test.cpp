@@ -1,6 +1,7 @@
 // Scenes of flow round an axis of symmetry.
 
 #include "scenes.hpp"
+#include "scree/coupling.hpp"
 #include "scree/make_stages.hpp"
 #include "scree/simulation.hpp"
 
@@ -111,6 +112,31 @@ TEST(AxisymmetricScene, GivesGroundBodiesAndWallsTheAreasOfARadian) {  // Eqs. (
   EXPECT_NEAR(felt_area(*boundaries[0], grid, {2, 1}, 0, -1), 0.2 * 0.1, rounding);  // ground
   EXPECT_NEAR(felt_area(*boundaries[1], grid, {3, 3}, 0, 1), 0.3 * 0.1, rounding);   // the piston
   EXPECT_NEAR(felt_area(*boundaries[3], grid, {4, 2}, 1, 1), 0.4 * 0.1, rounding);   // x_high
+}
+
+/// The bounds of every run with segregation, here round an axis.
+TEST(AxisymmetricScene, KeepsClassMassesBoundsAndSumsWhileGrainsSegregate) {  // Eq. (M180)
+  for (const std::string volumes : {"cells", "nodes"}) {
+    Simulation<2, 2> simulation{
+        scene_of("granular_column_collapse",
+                 {round, "mesh.cells=12", "grains.diameters=[1e-3, 3e-3]", "grains.fractions=[0.5, 0.5]",
+                  "segregation.closure=shear_rate", "segregation.c=0.001", "segregation.remixing=1e-4",
+                  "segregation.control_volumes=" + volumes}),
+        {1}};
+
+    while (simulation.clock.time < 0.2) simulation.step();
+
+    FractionExtremes found;
+    observe_fractions(simulation.state.particles, found);
+    EXPECT_GE(found.lowest, -1e-14);
+    EXPECT_LE(found.highest, 1 + 1e-14);
+    EXPECT_LE(found.sum_error, 1e-13);
+    EXPECT_GT(found.highest, 0.51);  // they do segregate
+    const auto masses = class_masses(simulation.state.particles);
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_NEAR(masses[k] / simulation.tally.first_class_masses[k], 1, 1e-12);
+    }
+  }
 }
 
 TEST(AxisymmetricScene, KeepsBodiesBodiesOfRevolution) {

@@ -96,11 +96,11 @@ Extremes extremes(const std::vector<double>& fractions, std::size_t num_classes)
 
 template <int D>
 void expect_mass_and_bounds_kept(const Lattice<D>& lattice, std::size_t num_classes,
-                                 const AnyClosure& closure) {
+                                 const AnyClosure& closure, Symmetry symmetry = Symmetry::plane) {
   Box<D> box{lattice, num_classes};
   const Box<D> start = box;
   Segregation<D> segregation{sizes(num_classes),
-                             {.closure = closure, .remixing = 1e-4},
+                             {.closure = closure, .remixing = 1e-4, .symmetry = symmetry},
                              lattice,
                              Vector<D>::Unit(D - 1),
                              Threads{1}};
@@ -190,6 +190,117 @@ TEST(Segregation, OfALayeredPlaneIsTheColumn) {  // 2D of equal columns = 1D, al
   for (std::size_t i = 0; i < fractions.size(); ++i) {  // mass and area differ by powers of round-off only
     EXPECT_NEAR(fractions[i], column.fractions()[i % column.fractions().size()], 100 * round_off);
   }
+}
+
+Lattice<2> ring(Sites sites) {
+  return {.count = {8, 11}, .spacing = Vector<2>{0.1, 0.07}, .first = Vector<2>::Zero(), .sites = sites};
+}
+
+TEST(Segregation, RoundAnAxisKeepsClassMassesBoundsAndEmptySites) {  // Eq. (M180), partly filled
+  for (const std::size_t num_classes : {2U, 5U}) {
+    expect_mass_and_bounds_kept(ring(Sites::cells), num_classes, ShearRate{0.01}, Symmetry::axial);
+    expect_mass_and_bounds_kept(ring(Sites::nodes), num_classes, ShearRate{0.01}, Symmetry::axial);
+  }
+}
+
+TEST(Segregation, RoundAnAxisIsTheColumnAtEveryRadius) {  // layers are the same at every radius
+  constexpr Index n = 40;
+  constexpr Index num_rings = 5;
+  Column column{SizeClasses{{0.5, 1}}, n};
+  column.set([](double z, std::size_t k) { return k == 0 ? 0.3 * z * z : z - 0.3 * z * z; });
+  const Lattice<2> rings{
+      .count = {num_rings, n}, .spacing = Vector<2>{1.0 / n, 1.0 / n}, .first = Vector<2>::Zero()};
+  std::vector<double> masses;
+  std::vector<double> drive;
+  std::vector<double> fractions;
+  for (std::size_t j = 0; j < n; ++j) {
+    for (Index i = 0; i < num_rings; ++i) {
+      masses.push_back(column.masses()[j] * middle_radius(rings, i));
+      drive.push_back(column.drive()[j]);
+      for (std::size_t k = 0; k < 2; ++k) fractions.push_back(column.fractions()[2 * j + k]);
+    }
+  }
+  SegregationOptions options = Column::defaults();
+  options.symmetry = Symmetry::axial;
+  Segregation<2> segregation{SizeClasses{{0.5, 1}}, options, rings, Vector<2>::Zero(), Threads{1}};
+
+  segregation.advance(masses, drive, fractions, 0.5);
+  column.advance(0.5);
+
+  for (std::size_t i = 0; i < fractions.size(); ++i) {  // as of a layered plane
+    const std::size_t layer = i / (2 * num_rings);
+    EXPECT_NEAR(fractions[i], column.fractions()[2 * layer + i % 2], 100 * round_off);
+  }
+}
+
+/// Two sites that remix for a time so short that the change is D dt A_f rho_f (Phi_2 - Phi_1)/h over the
+/// mass, up to its own decay meanwhile. The lighter one, per volume, is the inner one or the outer one.
+TEST(Segregation, RoundAnAxisExchangesThroughTheAreaOfTheRadius) {  // Eq. (M180)
+  constexpr double h = 0.5;
+  constexpr double dt = 1e-5;
+  for (const Sites sites : {Sites::cells, Sites::nodes}) {
+    const Lattice<1> lattice{
+        .count = {2}, .spacing = Vector<1>{h}, .first = Vector<1>::Zero(), .sites = sites};
+    for (const double density : {0.3, 3.0}) {  // of the outer one, over that of the inner one
+      const std::vector<double> masses{middle_radius(lattice, 0) * lattice.volume({0}),
+                                       density * middle_radius(lattice, 1) * lattice.volume({1})};
+      std::vector<double> fractions{0.2, 0.8, 0.6, 0.4};
+      Segregation<1> segregation{sizes(2),
+                                 {.closure = ShearRate{0}, .remixing = 1, .symmetry = Symmetry::axial},
+                                 lattice,
+                                 Vector<1>::Zero(),
+                                 Threads{1}};
+
+      segregation.advance(masses, std::vector<double>{0, 0}, fractions, dt);
+
+      const double passed = dt * radius_above(lattice, 0) * std::min(1.0, density) / h;
+      const double decay = passed * (1 / masses[0] + 1 / masses[1]);
+      for (const std::size_t site : {0U, 1U}) {
+        const double change = passed * 0.4 / masses[site];
+        EXPECT_NEAR(std::abs(fractions[2 * site] - (site == 0 ? 0.2 : 0.6)), change, decay * change);
+      }
+    }
+  }
+}
+
+/// Largest error of Phi = 1/2 + 0.4 J_0(k r) exp(-D k^2 t), J_1(k) = 0, in a disk of radius 1 that remixes
+/// until half of it is left.
+double error_of_disk(Index num_cells) {
+  constexpr double k = 3.8317059702075125;
+  const double h = 1 / static_cast<double>(num_cells);
+  const Lattice<1> lattice{.count = {num_cells}, .spacing = Vector<1>{h}, .first = Vector<1>::Zero()};
+  std::vector<double> masses;
+  std::vector<double> fractions;
+  for (Index i = 0; i < num_cells; ++i) {
+    masses.push_back(middle_radius(lattice, i) * h);
+    const double phi = 0.5 + 0.4 * std::cyl_bessel_j(0, k * middle_radius(lattice, i));
+    fractions.insert(fractions.end(), {phi, 1 - phi});
+  }
+  Segregation<1> segregation{sizes(2),
+                             {.closure = ShearRate{0}, .remixing = 1, .symmetry = Symmetry::axial},
+                             lattice,
+                             Vector<1>::Zero(),
+                             Threads{1}};
+  segregation.advance(masses, std::vector<double>(masses.size(), 0.0), fractions, std::log(2.0) / (k * k));
+  double error = 0;
+  for (Index i = 0; i < num_cells; ++i) {
+    const double exact = 0.5 + 0.2 * std::cyl_bessel_j(0, k * middle_radius(lattice, i));
+    error = std::max(error, std::abs(fractions[2 * static_cast<std::size_t>(i)] - exact));
+  }
+  return error;
+}
+
+TEST(Segregation, RemixesADiskWithSecondOrder) {  // Eqs. (G5), (M180)
+  EXPECT_GE(std::log2(error_of_disk(16) / error_of_disk(32)), 1.9);
+  EXPECT_GE(std::log2(error_of_disk(32) / error_of_disk(64)), 1.9);
+}
+
+TEST(Segregation, RefusesAPeriodicRadius) {
+  EXPECT_EQ(message_of([] {
+              Segregation<2>(sizes(2), {.closure = ShearRate{1}, .symmetry = Symmetry::axial}, square(4),
+                             Vector<2>::Zero(), Threads{1});
+            }),
+            "Segregation: axis 0 is the radius of a flow round an axis and cannot be periodic");
 }
 
 TEST(Segregation, GravityLiftsTheCoarseWhicheverWayItPoints) {

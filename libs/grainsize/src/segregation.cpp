@@ -3,6 +3,7 @@
 
 #include <scree/grainsize/segregation.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -18,7 +19,7 @@ namespace {
 constexpr double largest_cfl = 0.5;
 
 template <int D>
-void require_valid(const SizeClasses& classes, const SegregationOptions& options,
+void require_valid(const SizeClasses& classes, const SegregationOptions& options, const Lattice<D>& lattice,
                    const Vector<D>& gravity_direction) {
   if (classes.size() > Segregation<D>::max_num_classes) {
     throw InputError{detail::message("Segregation: there are ", classes.size(), " size classes, but at most ",
@@ -32,6 +33,8 @@ void require_valid(const SizeClasses& classes, const SegregationOptions& options
     throw InputError{detail::message("Segregation: the CFL number is ", options.cfl, ", but must lie in (0, ",
                                      largest_cfl, "]")};
   }
+  require(options.symmetry == Symmetry::plane || !lattice.is_periodic[0],
+          "Segregation: axis 0 is the radius of a flow round an axis and cannot be periodic");
   const double length = gravity_direction.norm();
   if (length == 0) {
     require(!std::holds_alternative<Gravity>(options.closure),
@@ -72,11 +75,14 @@ class Segregation<D>::Implementation {
         gravity_direction_{gravity_direction},
         threads_{threads},
         drivers_(D * num_sites()),
-        stepper_{choose_stepper<D>({classes, options, lattice, threads})} {}
+        stretches_(options.symmetry == Symmetry::axial ? num_sites() : 0),
+        stepper_{choose_stepper<D>(
+            {classes, options, lattice, stretches_.empty() ? nullptr : stretches_.data(), threads})} {}
 
   /// Sets the driver at every face of the lattice.
-  void set_drivers(std::span<const double> drive) {
+  void set_drivers(std::span<const double> masses, std::span<const double> drive) {
     std::visit([&](const auto& closure) { set_drivers(closure, drive); }, closure_);
+    if (!stretches_.empty()) stretch_radial_faces(masses);
   }
 
   void require_lengths(std::size_t num_masses, std::size_t num_drives, std::size_t num_fractions) const {
@@ -121,19 +127,39 @@ class Segregation<D>::Implementation {
                              .gravity = gravity_direction_[axis]});
   }
 
+  /// Makes the balance of a radian out of one over the same lattice in plane flow: through a face along the
+  /// radius goes more than the lighter of its sides, each with its own radius, would let pass.  Eq. (M181)
+  void stretch_radial_faces(std::span<const double> masses) noexcept {
+    const Index last = lattice_.count[0] - 1;
+    for (std::size_t site = 0; site < stretches_.size(); ++site) {
+      const Indices<D> here = lattice_.site(static_cast<Index>(site));
+      stretches_[site] = 1;
+      if (here[0] == last || !(masses[site] > 0 && masses[site + 1] > 0)) continue;
+      Indices<D> above = here;
+      ++above[0];
+      const double inner = masses[site] / lattice_.volume(here);
+      const double outer = masses[site + 1] / lattice_.volume(above);
+      const double lighter =
+          std::min(inner / middle_radius(lattice_, here[0]), outer / middle_radius(lattice_, above[0]));
+      stretches_[site] = radius_above(lattice_, here[0]) * lighter / std::min(inner, outer);
+      drivers_[site] *= stretches_[site];
+    }
+  }
+
   Lattice<D> lattice_;
   std::size_t num_classes_;
   AnyClosure closure_;
   Vector<D> gravity_direction_;
   Threads threads_;
-  std::vector<double> drivers_;  // [m/s], one row of num_sites per axis
+  std::vector<double> drivers_;    // [m/s], one row of num_sites per axis
+  std::vector<double> stretches_;  // [-], of faces above sites along a radius; none in plane flow
   std::unique_ptr<detail::SegregationStepper<D>> stepper_;
 };
 
 template <int D>
 Segregation<D>::Segregation(const SizeClasses& classes, const SegregationOptions& options,
                             const Lattice<D>& lattice, const Vector<D>& gravity_direction, Threads threads) {
-  require_valid<D>(classes, options, gravity_direction);
+  require_valid<D>(classes, options, lattice, gravity_direction);
   implementation_ = std::make_unique<Implementation>(classes, options, lattice, gravity_direction, threads);
 }
 
@@ -152,7 +178,7 @@ SegregationReport Segregation<D>::advance(std::span<const double> masses, std::s
     throw InputError{
         detail::message("Segregation: the step is ", dt, " s, but must be zero or positive, and finite")};
   }
-  implementation_->set_drivers(drive);
+  implementation_->set_drivers(masses, drive);
   return implementation_->stepper().advance(masses, implementation_->drivers(), fractions, dt);
 }
 
@@ -160,7 +186,7 @@ template <int D>
 double Segregation<D>::stable_time_step(std::span<const double> masses, std::span<const double> drive,
                                         std::span<const double> fractions) {
   implementation_->require_lengths(masses.size(), drive.size(), fractions.size());
-  implementation_->set_drivers(drive);
+  implementation_->set_drivers(masses, drive);
   return implementation_->stepper().stable_time_step(masses, implementation_->drivers(), fractions);
 }
 

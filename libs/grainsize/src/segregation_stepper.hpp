@@ -21,6 +21,7 @@ struct StepperParts {
   const SizeClasses& classes;
   const SegregationOptions& options;
   const Lattice<D>& lattice;
+  const double* stretches;  ///< of faces along a radius, one per site [-]; none in plane flow
   Threads threads;
 };
 
@@ -50,7 +51,7 @@ class SegregationStepperOf final : public SegregationStepper<D> {
   SegregationStepperOf(const StepperParts<D>& parts, const Limiter& limiter)
       : num_classes_{parts.classes.size()},
         solver_{transport::OccupiedCells<D>{parts.lattice},
-                law_for(parts.classes, parts.options.remixing, parts.lattice.num_sites()),
+                law_for(parts),
                 transport::PiecewiseLinearCommon<Limiter>{.limiter = limiter, .scale = largest_fraction},
                 parts.options.integrator,
                 {.cfl = parts.options.cfl, .threads = parts.threads}},
@@ -79,11 +80,15 @@ class SegregationStepperOf final : public SegregationStepper<D> {
   /// rest.
   static constexpr double largest_fraction = 1;
 
-  static SegregationLaw<N> law_for(const SizeClasses& classes, double remixing, Index num_sites) {
-    SegregationLaw<N> law{
-        .inverse_sizes = {}, .remixing = remixing, .drivers = nullptr, .num_sites = num_sites};
-    law.inverse_sizes.fill(1 / classes.largest());
-    std::ranges::transform(classes.diameters(), law.inverse_sizes.begin(), [](double s) { return 1 / s; });
+  static SegregationLaw<N> law_for(const StepperParts<D>& parts) {
+    SegregationLaw<N> law{.inverse_sizes = {},
+                          .remixing = parts.options.remixing,
+                          .drivers = nullptr,
+                          .num_sites = parts.lattice.num_sites(),
+                          .stretches = parts.stretches};
+    law.inverse_sizes.fill(1 / parts.classes.largest());
+    std::ranges::transform(parts.classes.diameters(), law.inverse_sizes.begin(),
+                           [](double s) { return 1 / s; });
     return law;
   }
 

@@ -36,4 +36,22 @@ template <int D>
   return is_high_end ? h * h * (i / 2 - 1.0 / 6) : h * h * std::abs(i);
 }
 
+/// Radius of the middle of the control volumes with this coordinate along axis 0, whose low end is the axis
+/// of symmetry [m]: their volume in a radian is that on the lattice times it.  Eq. (M180)
+template <int D>
+[[nodiscard]] double middle_radius(const Lattice<D>& lattice, Index coordinate) noexcept {
+  const double h = lattice.spacing[0];
+  const auto i = static_cast<double>(coordinate);
+  if (lattice.sites == Sites::cells) return (i + 0.5) * h;
+  if (coordinate == 0) return h / 4;
+  return coordinate == lattice.count[0] - 1 ? (i - 0.25) * h : i * h;
+}
+
+/// Radius of the face above them [m].  Eq. (M180)
+template <int D>
+[[nodiscard]] double radius_above(const Lattice<D>& lattice, Index coordinate) noexcept {
+  const auto i = static_cast<double>(coordinate);
+  return (lattice.sites == Sites::cells ? i + 1 : i + 0.5) * lattice.spacing[0];
+}
+
 }  // namespace scree

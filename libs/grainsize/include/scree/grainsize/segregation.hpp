@@ -4,6 +4,7 @@
 #include <scree/grainsize/closures.hpp>
 #include <scree/grainsize/size_classes.hpp>
 #include <scree/lattice.hpp>
+#include <scree/symmetry.hpp>
 #include <scree/transport/integrators.hpp>
 #include <scree/transport/limiters.hpp>
 
@@ -19,12 +20,14 @@ struct SegregationOptions {
   transport::AnyLimiter limiter{};  ///< one factor for all classes of a site
   transport::AnyIntegrator integrator{};
   double cfl = 0.5;  ///< in (0, 1/2]: up to there every fraction keeps its bounds.  Eq. (G18)
+  Symmetry symmetry = Symmetry::plane;  ///< what masses are those of.  Eqs. (M180), (M181)
 };
 
 /// What a call of Segregation::advance did.
 struct SegregationReport {
-  int substeps;      ///< steps it was cut into
-  double max_speed;  ///< largest bound of a wave speed met [m/s].  Eq. (G10)
+  int substeps;  ///< steps it was cut into
+  double
+      max_speed;  ///< largest bound of a wave speed met, stretched round an axis [m/s].  Eqs. (G10), (M181)
   double stable_dt;  ///< the step that the bound allowed at the last substep [s]
 };
 
@@ -40,8 +43,10 @@ class Segregation {
   static constexpr std::size_t max_num_classes = 16;
 
   /// @param gravity_direction unit vector, or zero where there is none
+  /// @param lattice round an axis of symmetry: its low end along axis 0 is the axis
   /// @throws InputError for more than max_num_classes classes, remixing < 0, a CFL number outside (0, 1/2], a
-  ///   direction that is neither zero nor of unit length, or none for a closure that acts along gravity.
+  ///   direction that is neither zero nor of unit length, or none for a closure that acts along gravity,
+  ///   an axis of symmetry where axis 0 is periodic.
   Segregation(const SizeClasses& classes, const SegregationOptions& options, const Lattice<D>& lattice,
               const Vector<D>& gravity_direction, Threads threads);
   ~Segregation();
@@ -52,7 +57,7 @@ class Segregation {
 
   /// Lets the fractions exchange over `dt`, in as many steps as the stability limit asks for. Empty sites
   /// are left as they are.
-  /// @param masses of the sites [kg], 0 for an empty one
+  /// @param masses of the sites [kg], of a radian round an axis of symmetry; 0 for an empty one
   /// @param drive the closure's drive, averaged to the sites by mass; ignored where empty
   /// @param fractions Phi_k [-], updated; unchanged if this throws
   /// @param dt duration [s], at least 0

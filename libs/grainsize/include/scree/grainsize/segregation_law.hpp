@@ -89,9 +89,13 @@ struct SegregationLaw {
   /// B along +axis at the face above each site [m/s]: one row of num_sites per axis; not owned
   const double* drivers;
   Index num_sites;
+  /// What the face above each site along axis 0 is stretched by round an axis of symmetry [-], in the drivers
+  /// already; none elsewhere; not owned.  Eq. (M181)
+  const double* stretches = nullptr;
 
   [[nodiscard]] PointSegregation<N> at(const transport::Face& face) const noexcept {
-    return {&inverse_sizes, drivers[face.axis * num_sites + face.owner], remixing};
+    const double stretch = stretches != nullptr && face.axis == 0 ? stretches[face.owner] : 1;
+    return {&inverse_sizes, drivers[face.axis * num_sites + face.owner], stretch * remixing};
   }
 };
 static_assert(transport::ConservationLaw<SegregationLaw<2>, 1>);

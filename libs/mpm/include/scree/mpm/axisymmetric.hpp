@@ -1,9 +1,12 @@
 #pragma once
 
+#include <scree/mpm/hoop_columns.hpp>
 #include <scree/mpm/point_term.hpp>
 #include <scree/mpm/shapes.hpp>
+#include <scree/mpm/stress_update.hpp>
 
 #include <memory>
+#include <optional>
 
 namespace scree::mpm {
 
@@ -16,5 +19,15 @@ namespace scree::mpm {
 [[nodiscard]] std::unique_ptr<PointTerm<2, 2>> make_axisymmetric(Particles<2, 2>& particles,
                                                                  const CartesianGrid<2>& grid,
                                                                  const AnyShape& shape);
+
+/// The velocity gradient of a point as laws see it, with its rate round the axis of symmetry if there is one.
+/// @param hoop hoop_columns_of(particles)
+template <int D, int V>
+[[nodiscard]] Tensor<double> velocity_gradient_of(const Particles<D, V>& particles, Index p,
+                                                  const std::optional<HoopColumns>& hoop) noexcept {
+  Tensor<double> gradient = velocity_gradient_of(particles, p);
+  if (hoop) gradient(2, 2) = particles.column(hoop->rate).component(0)[p];
+  return gradient;
+}
 
 }  // namespace scree::mpm
