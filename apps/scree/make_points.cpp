@@ -5,6 +5,7 @@
 #include "scree/ground.hpp"
 #include "scree/mixture.hpp"
 #include "scree/overlaps.hpp"
+#include "scree/stored_points.hpp"
 #include "scree/streams.hpp"
 
 #include <scree/io/bounds.hpp>
@@ -16,18 +17,34 @@ namespace scree::app {
 
 namespace {
 
+/// @param allowed depth in a body [m]
 /// @throws InputError if a body begins inside the material.
 template <int D, int V>
-void require_clear_of_bodies(const Scene& scene, const mpm::Particles<D, V>& particles) {
+void require_clear_of_bodies(const Scene& scene, const mpm::Particles<D, V>& particles, double allowed = 0) {
   if constexpr (D > 1) {
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
       try {
-        mpm::require_above(particles, surface_of<D>(scene.bodies[i]));
+        mpm::require_above(particles, surface_of<D>(scene.bodies[i]), allowed);
       } catch (const InputError& error) {
         throw InputError{"[[bodies]] " + std::to_string(i + 1) + ": as " + error.what()};
       }
     }
   }
+}
+
+/// Material that flows lies a little deep in what holds it, as the nodes of the mesh do that are held.
+template <int D, int V>
+[[nodiscard]] mpm::Particles<D, V> points_of_checkpoint(const Scene& scene, const CartesianGrid<D>& grid,
+                                                        const mpm::AnySurface<D>& ground) {
+  auto particles = stored_points<D, V>(*scene.material.stored, grid);
+  const double allowed = grid.spacing().minCoeff() / 2;
+  try {
+    if (ground) mpm::require_above(particles, ground, allowed);
+    require_clear_of_bodies(scene, particles, allowed);
+  } catch (const InputError& error) {
+    throw InputError{"[material] checkpoint: " + std::string{error.what()}};
+  }
+  return particles;
 }
 
 /// Points in the box of a stream, clear of ground and bodies.
@@ -64,8 +81,12 @@ template <int D, int V>
 mpm::Particles<D, V> make_points(const Scene& scene, const Filling<D>& filling, const CartesianGrid<D>& grid,
                                  const mpm::AnySurface<D>& ground) {
   mpm::Particles<D, V> particles;
-  if (!scene.material.is_absent) particles = filling.template points<V>();
-  require_clear_of_bodies(scene, particles);
+  if (scene.material.stored) {
+    particles = points_of_checkpoint<D, V>(scene, grid, ground);
+  } else if (!scene.material.is_absent) {
+    particles = filling.template points<V>();
+    require_clear_of_bodies(scene, particles);
+  }
   require_clear_of_streams(scene, particles);
   if (scene.grains) Mixture{scene}.add_to(particles);
   for (std::size_t i = 0; i < scene.inflows.size(); ++i) {

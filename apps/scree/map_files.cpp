@@ -1,5 +1,7 @@
 #include "scree/map_files.hpp"
 
+#include "scree/stored_points.hpp"
+
 #include <scree/io/esri_ascii.hpp>
 #include <scree/io/stl.hpp>
 
@@ -57,6 +59,11 @@ std::optional<Raster> SceneFiles::read_raster(const TomlTable& table, std::strin
 
 std::optional<TriangleMesh> SceneFiles::read_triangles(const TomlTable& table, std::string_view meaning) {
   return read(table, meaning, "file", [](const std::filesystem::path& path) { return io::read_stl(path); });
+}
+
+std::optional<StoredScene> SceneFiles::find_points(const TomlTable& table, const Scene& scene) {
+  return read(table, "checkpoint of another run, of which the points are taken", "checkpoint",
+              [&](const std::filesystem::path& path) { return find_stored_points(path, scene); });
 }
 
 MapPlace read_map_place(const TomlTable& table, const MapPlace& fallback) {

@@ -24,6 +24,9 @@ class SceneFiles {
   [[nodiscard]] std::optional<TriangleMesh> read_triangles(const io::TomlTable& table,
                                                            std::string_view meaning);
 
+  /// The checkpoint of another run that a key `checkpoint` names; nothing if the key or the file is at fault.
+  [[nodiscard]] std::optional<StoredScene> find_points(const io::TomlTable& table, const Scene& scene);
+
   [[nodiscard]] const std::vector<FileOfScene>& files() const noexcept { return files_; }
 
  private:

@@ -16,8 +16,6 @@ namespace scree::app {
 
 namespace {
 
-constexpr std::string_view viscosity_column = "implicit_viscosity";
-
 [[nodiscard]] std::size_t at(Index i) noexcept {
   return static_cast<std::size_t>(i);
 }

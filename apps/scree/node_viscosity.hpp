@@ -5,8 +5,12 @@
 #include <scree/mpm/step.hpp>
 
 #include <string>
+#include <string_view>
 
 namespace scree::app {
+
+/// Column that implicit viscosity adds: what a point had in the last step [Pa s].
+inline constexpr std::string_view viscosity_column = "implicit_viscosity";
 
 /// Makes viscosity implicit if the scene says so, or leaves it to us and explicit steps would be much
 /// shorter: takes it out of the stress of the points, and gives the nodes what solves for it.  Eq. (M29)

@@ -1,6 +1,7 @@
 #include "scree/read_material.hpp"
 
 #include "scree/axes.hpp"
+#include "scree/stored_points.hpp"
 
 #include <fmt/format.h>
 
@@ -131,6 +132,25 @@ void bound(const MeshScene& mesh, MaterialScene& material) {
   }
 }
 
+/// Points of another run, and a box round them.
+[[nodiscard]] MaterialScene read_stored(const TomlTable& table, const Scene& scene, SceneFiles& files) {
+  MaterialScene material;
+  material.stored = files.find_points(table, scene);
+  if (material.stored) {
+    BoxRegion box = extent_of(*material.stored, scene.mesh);
+    material.low = std::move(box.low);
+    material.high = std::move(box.high);
+  } else {
+    material.low.assign(scene.mesh.size.size(), 0.0);
+    material.high = scene.mesh.size;
+  }
+  const std::filesystem::path name = table.string("checkpoint", "checkpoint of another run");
+  table.check(name != "checkpoint.h5", {"checkpoint"},
+              "is the name that this run gives its own, which it writes over the copy: rename the file, or "
+              "put it into a folder");
+  return material;
+}
+
 }  // namespace
 
 BoxRegion read_box(const TomlTable& table, const MeshScene& mesh, std::string_view of) {
@@ -153,6 +173,7 @@ BoxRegion read_box(const TomlTable& table, const MeshScene& mesh, std::string_vi
 MaterialScene read_material(const TomlTable& table, const Scene& scene, const MapPlace& terrain_place,
                             SceneFiles& files) {
   constexpr std::array<std::string_view, 2> layouts{"regular", "random"};
+  if (table.has("checkpoint")) return read_stored(table, scene, files);
   MaterialScene material;
   if (table.has("regions")) {
     read_regions(table, scene, terrain_place, files, material);

@@ -10,6 +10,7 @@
 #include "scree/read_walls.hpp"
 #include "scree/scene.hpp"
 #include "scree/streams.hpp"
+#include "scree/traits.hpp"
 
 #include <scree/io/toml_reader.hpp>
 
@@ -113,7 +114,14 @@ void check_boxes(const TomlTable& table, const Scene& scene) {
                 fmt::format("must be {} points_per_cell = {}: boxes of that many points fill a cell", where,
                             points_per_cell));
   };
-  if (!scene.material.is_absent) check(scene.material.points_per_cell, "[material]");
+  if (scene.material.stored) {
+    const std::string differences = difference(scene.material.stored->traits, traits_of_boxes(scene));
+    table.check(
+        differences.empty(), {"shape"},
+        fmt::format("the boxes of points of [material] checkpoint have another size: {}", differences));
+  } else if (!scene.material.is_absent) {
+    check(scene.material.points_per_cell, "[material]");
+  }
   for (std::size_t i = 0; i < scene.inflows.size(); ++i) {
     check(scene.inflows[i].points_per_cell, fmt::format("[[inflow]] {}", i + 1));
   }
@@ -208,8 +216,10 @@ void read_what_passes(const TomlTable& root, Scene& scene) {
   scene.inflows = read_inflows(root.tables("inflow"), scene);
   scene.outflows = read_outflows(root.tables("outflow"), scene);
   MaterialScene& material = scene.material;
-  if (!material.is_absent) return;
   const bool begins = std::ranges::any_of(scene.inflows, begins_full);
+  if (material.stored && begins)
+    root.add_fault("inflow", "with [material] checkpoint none may have start = 0");
+  if (!material.is_absent) return;
   if (!begins) root.add_fault("inflow", "without [material] one must have start = 0");
   material.low.assign(scene.mesh.size.size(), std::numeric_limits<double>::infinity());
   material.high.assign(scene.mesh.size.size(), 0.0);
@@ -269,6 +279,8 @@ void check_symmetry(const TomlTable& root, const Scene& scene) {
     scene.mixture = read_mixture(root.table("grains"), scene);
   }
   read_surroundings(root, scene, files);
+  rheology.check(!scene.material.stored || !rheology.has("initial"), {"initial"},
+                 "the points of [material] checkpoint bring the law's memory with them");
   read_numerics(root.table_or_empty("numerics"), scene);
   const TomlTable time = root.table("time");
   scene.end = time.number("end", "simulated time at which the run ends [s]", above(0));

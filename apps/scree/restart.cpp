@@ -1,5 +1,6 @@
 #include "scree/restart.hpp"
 
+#include "scree/checkpoint_layout.hpp"
 #include "scree/dimensions.hpp"
 #include "scree/traits.hpp"
 
@@ -11,10 +12,16 @@ namespace scree::app {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 4;
-
 [[nodiscard]] std::string entry_of(const mpm::Column& column) {
-  return "column_" + column.quantity().name;
+  return app::entry_of(column.quantity().name);
+}
+
+/// Names of the columns, one on a line.
+template <int D, int V>
+[[nodiscard]] std::string column_names(const mpm::Particles<D, V>& particles) {
+  std::string names;
+  particles.for_each_column([&](const mpm::Column& column) { names += column.quantity().name + '\n'; });
+  return names;
 }
 
 /// Blocks as one list of integers: first cell, begin, end of each.
@@ -151,6 +158,9 @@ void write_checkpoint(const Simulation<D, V>& simulation, const std::filesystem:
   io::CheckpointWriter writer{path, checkpoint_version};
   writer.add_text("scene", scene_text);
   writer.add_text("traits", traits_text(traits_of_run(simulation.scene())));
+  const Vector<D> spacing = simulation.grid().spacing();
+  writer.add("spacing", std::span<const double>{spacing.data(), D});
+  writer.add_text("columns", column_names(simulation.state.particles));
   writer.add("dimensions", std::int64_t{D});
   writer.add("velocity_components", std::int64_t{V});
   for_each_number(simulation, [&](const std::string& name, const auto& number) { writer.add(name, number); });

@@ -144,6 +144,14 @@ struct ReleaseRegion {
 };
 using RegionScene = std::variant<BoxRegion, PolygonRegion, LayerRegion, ReleaseRegion>;
 
+/// Points of another run, as its checkpoint has them.
+struct StoredScene {
+  std::filesystem::path path;        ///< of the checkpoint
+  std::string traits;                ///< of that run, for difference()
+  std::vector<double> spacing;       ///< of its mesh [m]
+  std::vector<std::string> columns;  ///< names of what its points carry
+};
+
 /// Material at rest: a box, or whatever lies in one region or more.
 struct MaterialScene {
   std::vector<double> low;                   ///< corners of the box, or of one round all regions [m]
@@ -152,6 +160,7 @@ struct MaterialScene {
   Index points_per_cell = 3;                 ///< along each axis
   std::optional<std::uint64_t> random_seed;  ///< points lie anywhere in their shares of a cell
   double surface_pressure = 0;               ///< on the top of it [Pa]
+  std::optional<StoredScene> stored;         ///< in place of all this, but for the box round them
   bool is_absent = false;                    ///< all that there is enters: the box is round where it does
 };
 

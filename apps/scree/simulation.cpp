@@ -6,6 +6,7 @@
 #include "scree/make_points.hpp"
 #include "scree/make_stages.hpp"
 #include "scree/node_viscosity.hpp"
+#include "scree/stored_points.hpp"
 
 #include <scree/io/bounds.hpp>
 #include <scree/mpm/seed_region.hpp>
@@ -28,7 +29,12 @@ template <int D, int V>
   auto particles = make_points<D, V>(scene, filling, grid, ground);
   stages = make_stages(scene, grid, particles);
   stages.boundaries = make_boundaries<D, V>(scene, grid, ground, 1 + stages.transfer->stencil_shift());
-  settle(scene, filling, stages, particles);
+  if (scene.material.stored) {
+    take_stored(scene, particles);
+    stages.stress->require_inputs(particles);
+  } else {
+    settle(scene, filling, stages, particles);
+  }
   note = choose_viscosity(scene, grid, particles, stages, threads);
   return mpm::start(std::move(particles), grid, stages, threads);
 }

@@ -29,9 +29,7 @@ template <class Numbers>
   return scheme == ViscosityScheme::implicit ? "implicit" : "auto";
 }
 
-void add_mesh(const Scene& scene, std::vector<Trait>& traits) {
-  traits.push_back({"[mesh] size", list_of(scene.mesh.size)});
-  traits.push_back({"[mesh] cells", fmt::format("{}", scene.mesh.cells)});
+void add_axes(const Scene& scene, std::vector<Trait>& traits) {
   const auto names = axis_names(scene.mesh.dimensions);
   for (std::size_t d = 0; d < names.size(); ++d) {
     traits.push_back(
@@ -40,10 +38,6 @@ void add_mesh(const Scene& scene, std::vector<Trait>& traits) {
 }
 
 void add_scheme(const Scene& scene, std::vector<Trait>& traits) {
-  traits.push_back({"[numerics] shape", name_of(scene.shape)});
-  if (const auto* gimp = std::get_if<mpm::Gimp>(&scene.shape)) {
-    traits.push_back({"[numerics] points_per_axis", fmt::format("{}", 0.5 / gimp->half_width())});
-  }
   traits.push_back({"[numerics] transfer", name_of(scene.transfer)});
   traits.push_back(
       {"[numerics] order", std::string{mpm::order_names[static_cast<std::size_t>(scene.order)]}});
@@ -76,9 +70,21 @@ std::vector<Trait> traits_of_points(const Scene& scene) {
           {"diameters of [grains]", scene.grains ? list_of(scene.grains->classes.diameters()) : "none"}};
 }
 
+std::vector<Trait> traits_of_boxes(const Scene& scene) {
+  std::vector<Trait> traits{{"[mesh] size", list_of(scene.mesh.size)},
+                            {"[mesh] cells", fmt::format("{}", scene.mesh.cells)},
+                            {"[numerics] shape", name_of(scene.shape)}};
+  if (const auto* gimp = std::get_if<mpm::Gimp>(&scene.shape)) {
+    traits.push_back({"[numerics] points_per_axis", fmt::format("{}", 0.5 / gimp->half_width())});
+  }
+  return traits;
+}
+
 std::vector<Trait> traits_of_run(const Scene& scene) {
   std::vector<Trait> traits = traits_of_points(scene);
-  add_mesh(scene, traits);
+  const std::vector<Trait> boxes = traits_of_boxes(scene);
+  traits.insert(traits.end(), boxes.begin(), boxes.end());
+  add_axes(scene, traits);
   add_scheme(scene, traits);
   add_streams(scene, traits);
   return traits;

@@ -18,6 +18,9 @@ struct Trait {
 /// The same and what blocks of points, rates and sums depend on: mesh, scheme, streams.
 [[nodiscard]] std::vector<Trait> traits_of_run(const Scene& scene);
 
+/// What the boxes of points of uniform GIMP depend on: shape and mesh.
+[[nodiscard]] std::vector<Trait> traits_of_boxes(const Scene& scene);
+
 /// "key = value", one on a line.
 [[nodiscard]] std::string traits_text(const std::vector<Trait>& traits);
 

@@ -20,8 +20,8 @@ template <int D, int V>
 }  // namespace
 
 template <int D, int V>
-void require_above(const Particles<D, V>& particles, const AnySurface<D>& surface) {
-  double deepest = 0;
+void require_above(const Particles<D, V>& particles, const AnySurface<D>& surface, double allowed) {
+  double deepest = -allowed;
   Index worst = -1;
   for (Index p = 0; p < particles.size(); ++p) {
     const double distance = surface(position_of(particles, p)).distance;
@@ -47,8 +47,8 @@ void keep_above(Particles<D, V>& particles, const AnySurface<D>& surface) {
   particles.for_each_column([&](Column& column) { column.reorder(above); });
 }
 
-#define SCREE_INSTANCE(D, V)                                                 \
-  template void require_above(const Particles<D, V>&, const AnySurface<D>&); \
+#define SCREE_INSTANCE(D, V)                                                         \
+  template void require_above(const Particles<D, V>&, const AnySurface<D>&, double); \
   template void keep_above(Particles<D, V>&, const AnySurface<D>&);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
