@@ -240,9 +240,10 @@ TEST(BadRegion, FaultsAreNamed) {
 }
 
 TEST(BadRegion, CornersOfABoxBesideRegionsAreUnknown) {
-  EXPECT_EQ(message_on_map(tilted_ground, with(release, "[material]\n", "[material]\nlow = [0, 0, 0]\n")),
-            "scene.toml:19: [material] low: unknown key, known here: regions, points_per_cell, layout, "
-            "surface_pressure");
+  EXPECT_EQ(
+      message_on_map(tilted_ground, with(release, "[material]\n", "[material]\nlow = [0, 0, 0]\n")),
+      "scene.toml:19: [material] low: unknown key, known here: checkpoint, regions, points_per_cell, layout, "
+      "surface_pressure");
 }
 
 TEST(BadRegion, MaterialInTheGroundIsRefused) {
