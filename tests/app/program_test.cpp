@@ -183,6 +183,72 @@ TEST(Program, FailedRunEndsWithCode3AndKeepsWhatItHad) {
   EXPECT_EQ(text_of(directory / "summary.json").find("\"outcome\": \"failed: "), 4U);
 }
 
+/// A stream of 2 x 2 points a cell, 0.1 m long when it begins, that crosses a mesh of 1 m at 1 m/s, without
+/// weight: each point has the same mass, and nothing changes its speed.
+const std::string crossing = R"([mesh]
+dimensions = 2
+size = [1.0, 0.5]
+cells = 10
+[boundaries]
+x_low = "open"
+x_high = "open"
+y_low = "slip"
+y_high = "open"
+leaving = "absorb"
+[gravity]
+magnitude = 0
+[[inflow]]
+low = [0.0, 0.0]
+high = [0.1, 0.1]
+velocity = [1.0, 0.0]
+points_per_cell = 2
+[rheology]
+law = "newtonian"
+viscosity = 1
+bulk_modulus = 1e5
+density = 1000
+[time]
+end = 1.2
+)";
+
+[[nodiscard]] nlohmann::json summary_of(const std::string& name, const std::string& scene) {
+  const fs::path directory = fresh(name);
+  fs::create_directories(directory);
+  const std::string file = directory.string() + ".toml";
+  std::ofstream{file} << scene;
+  const Result result = scree("run " + file + " --quiet --threads 1 --output " + directory.string());
+  EXPECT_EQ(result.exit_code, 0) << result.output;
+  return nlohmann::json::parse(text_of(directory / "summary.json"));
+}
+
+/// What has passed has the mass of so many points, and that times 1 m/s of momentum along x.
+void expect_passed(const nlohmann::json& passed, std::int64_t points) {
+  constexpr double mass_of_point = 1000 * 0.05 * 0.05 / 4;  // [kg] per metre across
+  const double mass = mass_of_point * static_cast<double>(points);
+  const double rounding = 1e-12 * mass;  // of some hundred sums, and of the speed in a thousand steps
+  EXPECT_EQ(passed["points"], points);
+  EXPECT_NEAR(passed["mass"].get<double>(), mass, rounding);
+  EXPECT_NEAR(passed["momentum"][0].get<double>(), mass, rounding);
+  EXPECT_NEAR(passed["momentum"][1].get<double>(), 0, rounding);
+}
+
+/// The first of its layers, 0.025 m apart, begins at 0.0875 m: by 1.2 s twelve have come to 1 m, and sixteen
+/// to a box from 0.9 m on.
+TEST(Program, SummaryHasWhatEnteredWhatWasAbsorbedAndWhatWasTaken) {
+  const auto absorbed = summary_of("absorbed", crossing);
+  const auto taken = summary_of("taken", crossing + "[[outflow]]\nlow = [0.9, 0.0]\nhigh = [1.0, 0.5]\n");
+
+  expect_passed(absorbed["absorbed"], 4 * 12);
+  expect_passed(taken["outflow"][0], 4 * 16);
+  expect_passed(taken["absorbed"], 0);
+  for (const auto& summary : {absorbed, taken}) {
+    const auto entered = summary["inflow"][0]["points"].get<std::int64_t>();
+    EXPECT_GE(entered, 4 * 47);  // 48 layers' time, the last of them just now
+    expect_passed(summary["inflow"][0], entered);
+    EXPECT_LE(summary["mass_drift"].get<double>(), 1e-12);
+  }
+}
+
 TEST(Program, CtrlCEndsWithCode130AndTheRestartIsTheUnbrokenRun) {
   const fs::path broken = fresh("interrupted");
   const fs::path whole = fresh("whole");
