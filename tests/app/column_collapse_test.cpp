@@ -1,5 +1,6 @@
 // Columns of grains that collapse, between the published laws of how far they run out; minutes long.
 
+#include "cylinder.hpp"
 #include "scenes.hpp"
 #include "scree/simulation.hpp"
 
@@ -92,6 +93,24 @@ TEST(ColumnCollapse, DependsOnTheStepLessThanOnTheMesh) {
   const double of_the_mesh = runout(2, 16) - runout(2, 8);
 
   EXPECT_LT(std::abs(runout(2, 16, 0.25) - runout(2, 16)), of_the_mesh / 2);
+}
+
+/// A rim one grain thick is found to a cell, on any mesh; the last 0.5 % of the mass are in a rim thinner
+/// than a grain, which finer meshes go on drawing out, by more than half of what the last halving added.
+TEST(CylinderCollapse, ComesToTheRunoutOfExperimentsOnFinerMeshesButForARimThinnerThanAGrain) {
+  const Heap coarse{2, 8};
+  const Heap medium{2, 16};
+  const Heap fine{2, 32};
+
+  EXPECT_LT(std::abs(fine.runout() - medium.runout()), (medium.runout() - coarse.runout()) / 2);
+  EXPECT_NEAR(fine.runout(), of_cylinders(2), tolerance_of(2, 32));
+  EXPECT_GT(fine.runout_of_mass() - medium.runout_of_mass(),
+            (medium.runout_of_mass() - coarse.runout_of_mass()) / 2);
+}
+
+/// Where it fails: mu(I) takes too little from the fall of a tall column, in plane flow too.
+TEST(CylinderCollapse, RunsOutTooFarFromFourTimesItsRadiusInHeight) {
+  EXPECT_GT(Heap(4, 16).runout() - of_cylinders(4), tolerance_of(4, 16));
 }
 
 }  // namespace
