@@ -6,6 +6,7 @@
 #include "scree/make_points.hpp"
 #include "scree/make_stages.hpp"
 #include "scree/node_viscosity.hpp"
+#include "scree/stability.hpp"
 #include "scree/stored_points.hpp"
 
 #include <scree/io/bounds.hpp>
@@ -33,10 +34,13 @@ template <int D, int V>
     take_stored(scene, particles);
     stages.stress->require_inputs(particles);
   } else {
+    require_stiff(scene, filling, stages, particles);
     settle(scene, filling, stages, particles);
   }
   note = choose_viscosity(scene, grid, particles, stages, threads);
-  return mpm::start(std::move(particles), grid, stages, threads);
+  auto state = mpm::start(std::move(particles), grid, stages, threads);
+  require_stable_step(scene, state);
+  return state;
 }
 
 /// More threads than this many points can feed only wait for each other.
