@@ -50,6 +50,17 @@ template <int D, int V>
   return stages.order != Order::usl || stages.averaging.is_on();
 }
 
+/// What a block's points give to the nodes, for walls to fold.
+template <int D, int V>
+void scatter_block(State<D, V>& state, const Stages<D, V>& stages, const Transfer<D, V>& transfer,
+                   const ParticleBlock<D>& block, double dt) noexcept {
+  transfer.scatter(state.particles, block, state.nodes, dt);
+  for (const auto& boundary : stages.boundaries) {
+    const std::optional<MeshEnd> end = boundary->cuts_shapes();
+    if (end) transfer.scatter_cut(state.particles, block, state.nodes, *end);
+  }
+}
+
 /// Points to nodes; the law on the way, unless it has had its pass.
 template <int D, int V>
 void scatter(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
@@ -62,7 +73,7 @@ void scatter(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads 
       state.block_results[static_cast<std::size_t>(b)].stiffness =
           stages.stress->apply(state.particles, block, dt);
     }
-    stages.transfer->scatter(state.particles, block, state.nodes, dt);
+    scatter_block(state, stages, *stages.transfer, block, dt);
     if (stages.point_term) stages.point_term->scatter(state.particles, block, state.nodes, dt);
   });
 }
@@ -104,7 +115,7 @@ void map_to_nodes_and_back(State<D, V>& state, const Stages<D, V>& stages, const
   constexpr std::array<double, V> no_gravity{};
   state.nodes.clear();
   state.blocks.for_each_coloured(threads, [&](Index b) {
-    transfer.scatter(state.particles, state.blocks.blocks[static_cast<std::size_t>(b)], state.nodes, 0);
+    scatter_block(state, stages, transfer, state.blocks.blocks[static_cast<std::size_t>(b)], 0);
   });
   for (const auto& boundary : stages.boundaries) boundary->fold(state.nodes);
   advance_momentum(state.nodes, no_gravity.data(), 0, state.mass_floor, threads);

@@ -1,3 +1,4 @@
+#include "cut_shapes.hpp"
 #include "instances.hpp"
 #include "kernel_choice.hpp"
 #include "kernels/transfer_kernels.hpp"
@@ -31,6 +32,7 @@ class TransferBy final : public Transfer<D, V> {
     sort_edge_ =
         std::visit([](const auto& s) { return block_edge<D, std::decay_t<decltype(s)>::support>; }, shape);
     shift_ = std::visit([](const auto& s) { return s.shift; }, shape);
+    has_affine_ = std::visit([](const auto& r) { return r.has_affine; }, rule);
     record_ = {V, std::visit([](const auto& r) { return r.has_increment; }, rule)};
   }
 
@@ -45,6 +47,12 @@ class TransferBy final : public Transfer<D, V> {
                double dt) const noexcept override {
     kernels_.scatter(shape_, columns_of<const double>(particles, block), place_of(block, nodes.grid()),
                      tile_of(block, nodes, nodes[0]), dt);
+  }
+
+  void scatter_cut(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
+                   const MeshEnd& end) const noexcept override {
+    if (!has_affine_) return;
+    std::visit([&](const auto& shape) { detail::move_to_cut(shape, particles, block, end, nodes); }, shape_);
   }
 
   [[nodiscard]] BlockMotion gather(Particles<D, V>& particles, const ParticleBlock<D>& block,
@@ -107,6 +115,7 @@ class TransferBy final : public Transfer<D, V> {
   std::size_t support_;
   Index sort_edge_;
   double shift_;
+  bool has_affine_;
   NodeRecord record_;
 };
 

@@ -2,7 +2,15 @@
 
 #include <scree/mpm/nodes.hpp>
 
+#include <optional>
+
 namespace scree::mpm {
+
+/// An end of an axis of the mesh.
+struct MeshEnd {
+  int axis;
+  Side side;
+};
 
 /// What acts on the nodes between scatter and gather.
 template <int D>
@@ -13,6 +21,9 @@ class Boundary {
   Boundary& operator=(const Boundary&) = delete;
   virtual ~Boundary() = default;
 
+  /// The end where `fold` cuts shape functions off, if it does: what points gave to images there is then put
+  /// right beforehand, so that it comes home with the velocity of the place where it comes.  Eq. (M183)
+  [[nodiscard]] virtual std::optional<MeshEnd> cuts_shapes() const noexcept { return std::nullopt; }
   /// Before momentum is advanced: brings home what points gave to nodes outside.
   virtual void fold(Nodes<D>& nodes) const noexcept = 0;
   /// After it: sets the velocities that the boundary prescribes.  @param dt the step [s]

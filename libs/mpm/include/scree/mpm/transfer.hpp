@@ -2,6 +2,7 @@
 
 #include <scree/instruction_set.hpp>
 #include <scree/mpm/block_motion.hpp>
+#include <scree/mpm/boundary.hpp>
 #include <scree/mpm/nodes.hpp>
 #include <scree/mpm/particle_blocks.hpp>
 #include <scree/mpm/particles.hpp>
@@ -31,6 +32,11 @@ class Transfer {
   /// Adds mass, momentum and force (times dt [s]) of a block's points to the nodes.  Eqs. (M1), (M8)-(M10)
   virtual void scatter(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
                        double dt) const noexcept = 0;
+
+  /// After `scatter`, where a wall cuts shape functions off: what the block's points gave to images past that
+  /// end will come home with the velocity that they have, by their gradient, where it comes.  Eq. (M183)
+  virtual void scatter_cut(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
+                           const MeshEnd& end) const noexcept = 0;
 
   /// Takes velocities back to the points, moves them by dt [s], updates their density.  Eqs. (M11)-(M13)
   [[nodiscard]] virtual BlockMotion gather(Particles<D, V>& particles, const ParticleBlock<D>& block,

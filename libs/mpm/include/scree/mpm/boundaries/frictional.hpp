@@ -31,6 +31,10 @@ class FrictionalWall final : public Boundary<D> {
         side_{side},
         symmetry_{symmetry} {}
 
+  [[nodiscard]] std::optional<MeshEnd> cuts_shapes() const noexcept override {
+    return MeshEnd{static_cast<int>(axis_), side_};
+  }
+
   void fold(Nodes<D>& nodes) const noexcept override {
     const int num_values = nodes.record().size();
     for_each_wall_line(nodes, axis_, side_,
