@@ -66,6 +66,7 @@ void require_inside(const mpm::Particles<D, V>& particles, const CartesianGrid<D
       const double x = particles.position.component(d)[p];
       if (-slack <= x && x <= grid.length(d) + slack) continue;
       std::vector<double> place;
+      place.reserve(D);
       for (int i = 0; i < D; ++i) place.push_back(particles.position.component(i)[p]);
       throw InputError{fmt::format(
           "[material] checkpoint: {}: its point {:.0f} at ({:.6g}) m lies outside the mesh, which is {:g} m "
