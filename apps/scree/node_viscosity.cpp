@@ -66,8 +66,9 @@ class WithoutViscosity final : public mpm::StressUpdate<D, V> {
   void require_inputs(const mpm::Particles<D, V>& particles) const override {
     whole_->require_inputs(particles);
   }
-  [[nodiscard]] mpm::BlockStiffness stiffness(const mpm::Particles<D, V>& particles) const noexcept override {
-    return without_viscosity(whole_->stiffness(particles));
+  [[nodiscard]] mpm::BlockStiffness stiffness(const mpm::Particles<D, V>& particles, Index begin,
+                                              Index end) const noexcept override {
+    return without_viscosity(whole_->stiffness(particles, begin, end));
   }
 
  private:
@@ -186,7 +187,7 @@ struct StepLimits {
 template <int D, int V>
 [[nodiscard]] StepLimits step_limits(const Scene& scene, const CartesianGrid<D>& grid,
                                      const mpm::Particles<D, V>& particles, const mpm::Stages<D, V>& stages) {
-  const mpm::BlockStiffness stiffness = stages.stress->stiffness(particles);
+  const mpm::BlockStiffness stiffness = stages.stress->stiffness(particles, 0, particles.size());
   const double others =
       mpm::stable_time_step(grid, {stiffness.wave_speed, 0, 0, stiffness.relaxation_rate}, scene.time_step)
           .dt;

@@ -10,6 +10,7 @@
 #include "scree/stored_points.hpp"
 
 #include <scree/io/bounds.hpp>
+#include <scree/mpm/limiting_point.hpp>
 #include <scree/mpm/seed_region.hpp>
 
 #include <algorithm>
@@ -157,10 +158,12 @@ void Simulation<D, V>::require_progress(const mpm::TimeStep& next) {
   if (state.particles.size() == 0) return;
   if (clock.first_dt == 0) clock.first_dt = next.dt;
   if (next.dt >= smallest_share * clock.first_dt) return;
+  const auto point = mpm::limiting_point(state.particles, *stages_.stress, grid(), next.limit);
   throw RunError{"the stable step has fallen from " + io::to_text(clock.first_dt) + " to " +
                  io::to_text(next.dt) + " s, bound by the " +
-                 std::string{mpm::limit_names[static_cast<std::size_t>(next.limit)]} +
-                 " limit: the run has become unstable; use a smaller share of the limits ([numerics])"};
+                 std::string{mpm::limit_names[static_cast<std::size_t>(next.limit)]} + " limit" +
+                 (point ? " of " + mpm::point_name(state.particles, *point) : "") +
+                 ": the run has become unstable; use a smaller share of the limits ([numerics])"};
 }
 
 template <int D, int V>

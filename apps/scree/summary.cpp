@@ -2,11 +2,14 @@
 
 #include "scree/dimensions.hpp"
 
+#include <scree/mpm/limiting_point.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -53,6 +56,34 @@ void add_passed(const Simulation<D, V>& simulation, nlohmann::ordered_json& json
   for (const auto& taken : streams.taken) json["outflow"].push_back(json_of(taken));
   if (absorbs || !streams.inflows.empty() || !streams.taken.empty()) {
     json["mass_drift"] = mass_drift(simulation);
+  }
+}
+
+/// What bounds the step as things are.
+template <int D, int V>
+[[nodiscard]] std::optional<mpm::TimeStep> limit_of(const Simulation<D, V>& simulation) {
+  try {
+    return simulation.next_step();
+  } catch (const InputError&) {  // nothing does: the run has failed by numbers that are none
+    return std::nullopt;
+  }
+}
+
+/// That, and the point that it comes from.
+template <int D, int V>
+void add_limit(const Simulation<D, V>& simulation, nlohmann::ordered_json& json) {
+  const auto found = limit_of(simulation);
+  if (!found) return;
+  const mpm::TimeStep next = *found;
+  json["limit"]["name"] = mpm::limit_names[static_cast<std::size_t>(next.limit)];
+  json["limit"]["dt"] = next.dt;
+  const auto& particles = simulation.state.particles;
+  const auto point =
+      mpm::limiting_point(particles, *simulation.stages().stress, simulation.grid(), next.limit);
+  if (!point) return;
+  json["limit"]["point"] = particles.id.component(0)[*point];
+  for (int axis = 0; axis < D; ++axis) {
+    json["limit"]["position"].push_back(particles.position.component(axis)[*point]);
   }
 }
 
@@ -105,6 +136,7 @@ std::string summary_json(const Simulation<D, V>& simulation, double wall_seconds
   for (std::size_t i = 0; i < mpm::limit_names.size(); ++i) {
     json["steps_by_limit"][std::string{mpm::limit_names[i]}] = tally.steps_by_limit[i];
   }
+  add_limit(simulation, json);
   add_passed(simulation, json);
   if (const auto share = simulation.ill_posed_share()) json["ill_posed_share"] = *share;
   if (simulation.scene().grains) {

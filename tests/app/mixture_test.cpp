@@ -111,7 +111,9 @@ TEST(MaximumPacking, IsWhatTheLawReads) {
     const Simulation<1, 2> slope =
         simulation_of(slope_of(slurry, "diameters = [0.5e-3, 4e-3]\nfractions = " + fractions +
                                            "\npacking_of_one_size = 0.6\ncompaction = 9\n"));
-    return slope.stages().stress->stiffness(slope.state.particles).kinematic_viscosity;
+    return slope.stages()
+        .stress->stiffness(slope.state.particles, 0, slope.state.particles.size())
+        .kinematic_viscosity;
   };
 
   EXPECT_LT(viscosity_of("[0.4, 0.6]"), 0.5 * viscosity_of("[1.0, 0.0]"));

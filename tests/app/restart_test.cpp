@@ -6,6 +6,7 @@
 
 #include <scree/io/bounds.hpp>
 #include <scree/io/checkpoint.hpp>
+#include <scree/mpm/limiting_point.hpp>
 
 #include <gtest/gtest.h>
 
@@ -226,10 +227,14 @@ TEST(Progress, OfAStepThatFallsByFourDecadesEndsTheRun) {
   collapse.state.rates.wave_speed = 20000 * wave_speed;
   const std::string fallen = io::to_text(collapse.next_step().dt);
 
+  const auto& particles = collapse.state.particles;
+  const auto point = mpm::limiting_point(particles, *collapse.stages().stress, collapse.grid(), first.limit);
+  ASSERT_TRUE(point.has_value());
+
   EXPECT_EQ(message_of_step(collapse),
             "the stable step has fallen from " + io::to_text(first.dt) + " to " + fallen +
-                " s, bound by the acoustic limit: the run has become unstable; use a smaller share of the "
-                "limits ([numerics])");
+                " s, bound by the acoustic limit of " + mpm::point_name(particles, *point) +
+                ": the run has become unstable; use a smaller share of the limits ([numerics])");
 }
 
 /// A restart measures from the first step of the run, not from its own.

@@ -1,6 +1,7 @@
 #include "bodies.hpp"
 #include "messages.hpp"
 
+#include <scree/mpm/limiting_point.hpp>
 #include <scree/mpm/stress_update.hpp>
 
 #include <algorithm>
@@ -182,8 +183,31 @@ TEST(StressUpdate, ReportsTheStiffestPoint) {
   }
 
   EXPECT_EQ(stress.apply(sheared.particles, sheared.all(), 0.1).kinematic_viscosity, expected);
-  EXPECT_EQ(stress.stiffness(sheared.particles).kinematic_viscosity, expected);
-  EXPECT_EQ(stress.stiffness(sheared.particles).wave_speed, 1);
+  EXPECT_EQ(stress.stiffness(sheared.particles, 0, 8).kinematic_viscosity, expected);
+  EXPECT_EQ(stress.stiffness(sheared.particles, 0, 8).wave_speed, 1);
+}
+
+TEST(LimitingPoint, IsTheOneWhoseRateIsTheLargest) {
+  const auto grid = cube<2>(4, 0.25, false);
+  auto particles = scattered<2>(grid, 5, 0);
+  fill_at_random(particles.velocity, 0);
+  particles.add_column({"grain_size", "d", "m"}, 1);
+  Column& size = particles.column(particles.find_column("grain_size", "the test"));
+  std::ranges::fill(size.values(), 1e-3);
+  size.component(0)[2] = 4e-3;
+  size.component(0)[4] = 5e-3;
+  particles.mass.component(0)[4] = 0;        // only fills a block
+  particles.velocity.component(0)[3] = 0.3;  // and sound is as fast everywhere
+  particles.velocity.component(1)[1] = -0.4;
+  const StressUpdateBy<2, 2, Coarse> stress{{}, particles};
+  const auto limiting = [&](Limit limit) { return limiting_point(particles, stress, grid, limit); };
+
+  EXPECT_EQ(limiting(Limit::viscous), 2);
+  EXPECT_EQ(limiting(Limit::advective), 1);
+  EXPECT_EQ(limiting(Limit::acoustic), 1);
+  EXPECT_EQ(limiting(Limit::relaxation), std::nullopt);  // no memory of this law binds
+  EXPECT_EQ(limiting(Limit::maximum), std::nullopt);
+  EXPECT_EQ(limiting(Limit::output), std::nullopt);
 }
 
 TEST(StressUpdate, RunsALawWithoutAKernelPointByPoint) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/mpm/limiting_point.hpp>
 #include <scree/mpm/step.hpp>
 
 #include <algorithm>
@@ -31,16 +32,12 @@ void sort(State<D, V>& state, const Stages<D, V>& stages, Threads threads);
 template <int D, int V>
 void widen_rates(Rates& rates, const Particles<D, V>& particles, const Stages<D, V>& stages,
                  const CartesianGrid<D>& grid) {
-  const BlockStiffness stiffness = stages.stress->stiffness(particles);
+  const BlockStiffness stiffness = stages.stress->stiffness(particles, 0, particles.size());
   rates.wave_speed = std::max(rates.wave_speed, stiffness.wave_speed);
   rates.kinematic_viscosity = std::max(rates.kinematic_viscosity, stiffness.kinematic_viscosity);
   rates.relaxation_rate = std::max(rates.relaxation_rate, stiffness.relaxation_rate);
   for (Index p = 0; p < particles.size(); ++p) {
-    double rate = 0;
-    for (int axis = 0; axis < D; ++axis) {
-      rate += std::abs(particles.velocity.component(axis)[p]) / grid.spacing()[axis];
-    }
-    rates.advection_rate = std::max(rates.advection_rate, rate);
+    rates.advection_rate = std::max(rates.advection_rate, advection_rate(particles, grid, p));
   }
 }
 

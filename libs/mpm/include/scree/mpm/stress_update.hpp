@@ -61,8 +61,9 @@ class StressUpdate {
   /// @throws InputError as require_in_range() does.
   virtual void require_inputs(const Particles<D, V>& particles) const = 0;
 
-  /// What the points as they are would bound a step by; changes nothing.
-  [[nodiscard]] virtual BlockStiffness stiffness(const Particles<D, V>& particles) const noexcept = 0;
+  /// What the points begin..end-1 as they are would bound a step by; changes nothing.
+  [[nodiscard]] virtual BlockStiffness stiffness(const Particles<D, V>& particles, Index begin,
+                                                 Index end) const noexcept = 0;
 };
 
 /// The velocity gradient of a point as a 3x3 tensor, its missing components zero.
@@ -155,9 +156,10 @@ class StressUpdateBy final : public StressUpdate<D, V> {
                    std::to_string(wanted) + " Pa"};
   }
 
-  [[nodiscard]] BlockStiffness stiffness(const Particles<D, V>& particles) const noexcept override {
+  [[nodiscard]] BlockStiffness stiffness(const Particles<D, V>& particles, Index begin,
+                                         Index end) const noexcept override {
     BlockStiffness worst;
-    for (Index p = 0; p < particles.size(); ++p) {
+    for (Index p = begin; p < end; ++p) {
       widen(worst, deformation_of(particles, p), load<Input>(particles, inputs_, p),
             load<State>(particles, states_, p));
     }
