@@ -217,6 +217,7 @@ TEST(CutShapes, LeaveALayerItsShear) {  // the remedy, Eq. (M183)
 /// apart.
 TEST(CutShapes, ShearADeepBedApartTooIfAVelocityComesHomeAsItIs) {
   std::vector<double> places;
+  places.reserve(9);
   for (int i = 0; i < 9; ++i) places.push_back((i + 0.5) / 3);
   const std::vector<std::pair<AnyShape, double>> cases{{Quadratic{}, 1.036136638}, {Cubic{}, 1.079245793}};
   for (const auto& [shape, rate] : cases) {
@@ -258,6 +259,7 @@ TEST(CutShapes, GiveNoEnergyOfShear) {  // Eq. (M185)
   for (const AnyShape& shape : {AnyShape{Quadratic{}}, AnyShape{Gimp{3}}}) {
     for (int trial = 0; trial < 50; ++trial) {
       std::vector<double> places;
+      places.reserve(5);
       for (int p = 0; p < 5; ++p) places.push_back(0.01 + 1.5 * draw(random));
       Layers layers{places, shape, Apic{}, false};
       Particles<1, 2>& particles = layers.state.particles;
