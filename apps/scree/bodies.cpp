@@ -62,16 +62,18 @@ mpm::AnySurface<D> surface_of(const BodyScene& body) {
 }
 
 template <int D>
-std::unique_ptr<mpm::Boundary<D>> make_body(const BodyScene& body, Symmetry symmetry) {
+std::unique_ptr<mpm::Boundary<D>> make_body(const BodyScene& body, Symmetry symmetry,
+                                            const PlaceOfMean& place_of) {
   return with_contact(body.contact, [&]<class Law>(const mpm::Contact<Law>& contact,
                                                    const typename Law::template Input<double>& input) {
-    return mpm::make_rigid_body<D, Law>(contact, surface_of<D>(body), motion_of<D>(body), 0, input, symmetry);
+    return mpm::make_rigid_body<D, Law>(contact, surface_of<D>(body), motion_of<D>(body), 0, input, symmetry,
+                                        carried_input<Law>(body.contact.of_material, place_of));
   });
 }
 
 template mpm::AnySurface<2> surface_of(const BodyScene&);
-template std::unique_ptr<mpm::Boundary<2>> make_body(const BodyScene&, Symmetry);
+template std::unique_ptr<mpm::Boundary<2>> make_body(const BodyScene&, Symmetry, const PlaceOfMean&);
 template mpm::AnySurface<3> surface_of(const BodyScene&);
-template std::unique_ptr<mpm::Boundary<3>> make_body(const BodyScene&, Symmetry);
+template std::unique_ptr<mpm::Boundary<3>> make_body(const BodyScene&, Symmetry, const PlaceOfMean&);
 
 }  // namespace scree::app

@@ -136,22 +136,25 @@ mpm::AnySurface<D> surface_of(const TerrainScene& terrain, const MeshScene& mesh
 
 template <int D>
 std::unique_ptr<mpm::Boundary<D>> make_terrain(const TerrainScene& terrain, const mpm::AnySurface<D>& surface,
-                                               const CartesianGrid<D>& grid, Symmetry symmetry) {
+                                               const CartesianGrid<D>& grid, Symmetry symmetry,
+                                               const PlaceOfMean& place_of) {
   require_periodic(surface, grid);
   return with_contact(terrain.contact, [&]<class Law>(const mpm::Contact<Law>& contact,
                                                       const typename Law::template Input<double>& /*input*/) {
     const auto friction_at = friction_of<D>(terrain);
     return mpm::make_bed<D, Law>(
         contact, [&](const Vector<D>& x) { return input_of<Law>(terrain.contact.inputs, friction_at(x)); },
-        grid, surface, symmetry);
+        grid, surface, symmetry, carried_input<Law>(terrain.contact.of_material, place_of));
   });
 }
 
 template mpm::AnySurface<2> surface_of(const TerrainScene&, const MeshScene&);
 template std::unique_ptr<mpm::Boundary<2>> make_terrain(const TerrainScene&, const mpm::AnySurface<2>&,
-                                                        const CartesianGrid<2>&, Symmetry);
+                                                        const CartesianGrid<2>&, Symmetry,
+                                                        const PlaceOfMean&);
 template mpm::AnySurface<3> surface_of(const TerrainScene&, const MeshScene&);
 template std::unique_ptr<mpm::Boundary<3>> make_terrain(const TerrainScene&, const mpm::AnySurface<3>&,
-                                                        const CartesianGrid<3>&, Symmetry);
+                                                        const CartesianGrid<3>&, Symmetry,
+                                                        const PlaceOfMean&);
 
 }  // namespace scree::app

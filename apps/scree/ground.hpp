@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scree/material_columns.hpp"
 #include "scree/scene.hpp"
 
 #include <scree/grid.hpp>
@@ -19,13 +20,16 @@ template <int D>
 [[nodiscard]] mpm::AnySurface<D> surface_of(const BodyScene& body);
 
 /// The ground, as what holds the nodes of a mesh.
+/// @param place_of of what it reads of the material
 /// @throws InputError if it reaches no node, or differs between the ends of a periodic axis.
 template <int D>
 [[nodiscard]] std::unique_ptr<mpm::Boundary<D>> make_terrain(const TerrainScene& terrain,
                                                              const mpm::AnySurface<D>& surface,
                                                              const CartesianGrid<D>& grid,
-                                                             Symmetry symmetry = Symmetry::plane);
+                                                             Symmetry symmetry = Symmetry::plane,
+                                                             const PlaceOfMean& place_of = {});
 template <int D>
-[[nodiscard]] std::unique_ptr<mpm::Boundary<D>> make_body(const BodyScene& body, Symmetry symmetry);
+[[nodiscard]] std::unique_ptr<mpm::Boundary<D>> make_body(const BodyScene& body, Symmetry symmetry,
+                                                          const PlaceOfMean& place_of);
 
 }  // namespace scree::app

@@ -3,6 +3,7 @@
 #include <scree/rheology/laws.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -24,6 +25,22 @@ namespace scree::app {
         return std::ranges::any_of(law.states, [&](const StateColumn& one) { return one.name == column; });
       },
       any_law);
+}
+
+/// The friction at which a law yields, if it is the same everywhere [-].
+[[nodiscard]] inline std::optional<double> yield_friction(const rheology::AnyLaw& any_law) {
+  return std::visit(
+      []<class Law>(const Law& law) -> std::optional<double> {
+        if constexpr (rheology::HasYieldFriction<Law>) return law.yield_friction();
+        return std::nullopt;
+      },
+      any_law);
+}
+
+/// Whether a law yields at a friction that is by place, of the grains there.
+[[nodiscard]] inline bool has_local_friction(const rheology::AnyLaw& any_law) {
+  return std::visit([]<class Law>(const Law& /*law*/) { return rheology::HasLocalYieldFriction<Law>; },
+                    any_law);
 }
 
 }  // namespace scree::app

@@ -58,20 +58,20 @@ mpm::AnySurface<D> ground_of(const Scene& scene) {
 template <int D, int V>
 std::vector<std::unique_ptr<mpm::Boundary<D>>> make_boundaries(const Scene& scene,
                                                                const CartesianGrid<D>& grid,
-                                                               const mpm::AnySurface<D>& ground,
-                                                               double reach) {
+                                                               const mpm::AnySurface<D>& ground, double reach,
+                                                               const PlaceOfMean& place_of) {
   const Symmetry symmetry = symmetry_of(scene);
   std::vector<std::unique_ptr<mpm::Boundary<D>>> boundaries;
   if constexpr (D > 1) {
-    if (ground) boundaries.push_back(make_terrain<D>(*scene.terrain, ground, grid, symmetry));
+    if (ground) boundaries.push_back(make_terrain<D>(*scene.terrain, ground, grid, symmetry, place_of));
     require_apart(scene, grid, ground);
-    for (const BodyScene& body : scene.bodies) boundaries.push_back(make_body<D>(body, symmetry));
+    for (const BodyScene& body : scene.bodies) boundaries.push_back(make_body<D>(body, symmetry, place_of));
   }
   for (int axis = 0; axis < D; ++axis) {
     const AxisScene& ends = scene.axes[static_cast<std::size_t>(axis)];
     if (ends.is_periodic) continue;
-    boundaries.push_back(make_boundary<D>(ends.low, axis, mpm::Side::low, symmetry));
-    boundaries.push_back(make_boundary<D>(ends.high, axis, mpm::Side::high, symmetry));
+    boundaries.push_back(make_boundary<D>(ends.low, axis, mpm::Side::low, symmetry, place_of));
+    boundaries.push_back(make_boundary<D>(ends.high, axis, mpm::Side::high, symmetry, place_of));
   }
   for (const InflowScene& inflow : scene.inflows) {
     boundaries.push_back(mpm::make_inflow_hold(stream_of<D, V>(scene, inflow), grid, reach));
@@ -117,7 +117,7 @@ template mpm::AnySurface<3> ground_of<3>(const Scene& scene);
 #define SCREE_INSTANCE(D, V)                                                                            \
   template mpm::Stages<D, V> make_stages(const Scene&, const CartesianGrid<D>&, mpm::Particles<D, V>&); \
   template std::vector<std::unique_ptr<mpm::Boundary<D>>> make_boundaries<D, V>(                        \
-      const Scene&, const CartesianGrid<D>&, const mpm::AnySurface<D>&, double);
+      const Scene&, const CartesianGrid<D>&, const mpm::AnySurface<D>&, double, const PlaceOfMean&);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
 // NOLINTEND(bugprone-macro-parentheses)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scree/material_columns.hpp"
 #include "scree/scene.hpp"
 
 #include <scree/grid.hpp>
@@ -34,11 +35,13 @@ template <int D, int V>
 /// What holds material: ground and bodies first, so that the walls of the mesh have the last word but for the
 /// boxes that streams enter by.
 /// @param reach of the shape function [spacings]
+/// @param place_of of what they read of the material
 /// @throws InputError if ground, bodies and streams do not keep apart.
 template <int D, int V>
 [[nodiscard]] std::vector<std::unique_ptr<mpm::Boundary<D>>> make_boundaries(const Scene& scene,
                                                                              const CartesianGrid<D>& grid,
                                                                              const mpm::AnySurface<D>& ground,
-                                                                             double reach);
+                                                                             double reach,
+                                                                             const PlaceOfMean& place_of);
 
 }  // namespace scree::app

@@ -1,9 +1,13 @@
 #include "scree/mixture.hpp"
 
 #include "scree/dimensions.hpp"
+#include "scree/material_columns.hpp"
+
+#include <scree/rheology/columns.hpp>
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 
 namespace scree::app {
 
@@ -20,6 +24,9 @@ Mixture::Mixture(const Scene& scene)
     const auto& [of_one_size, compaction] = *scene.mixture.packing;
     followers_.push_back({{std::string{maximum_packing_column}, "phi_max", "-"},
                           grainsize::CompressiblePacking{classes, of_one_size, compaction}});
+  }
+  if (is_read_by_walls(scene, friction_column)) {
+    followers_.push_back({{std::string{friction_column}, "mu", "-"}, scene.law});
   }
 }
 
@@ -41,7 +48,15 @@ void Mixture::update(mpm::Particles<D, V>& particles) {
   const mpm::Column& fractions = particles.column(particles.find_column(fraction_column, "the mixture"));
   for (const Follower& follower : followers_) {
     mpm::Column& column = particles.column(particles.find_column(follower.quantity.name, "the mixture"));
-    std::visit([&](const auto& rule) { follow(rule, fractions, column); }, follower.rule);
+    std::visit(
+        [&]<class Rule>(const Rule& rule) {
+          if constexpr (std::is_same_v<Rule, rheology::AnyLaw>) {
+            follow(rule, particles, column);
+          } else {
+            follow(rule, fractions, column);
+          }
+        },
+        follower.rule);
   }
 }
 
@@ -62,6 +77,25 @@ void Mixture::follow(const grainsize::CompressiblePacking& packing, const mpm::C
     }
     column.component(0)[p] = packing.maximum_fraction(of_point_);
   }
+}
+
+template <int D, int V>
+void Mixture::follow(const rheology::AnyLaw& any_law, const mpm::Particles<D, V>& particles,
+                     mpm::Column& column) {
+  const auto follow_law = [&]<class Law>(const Law& law) {
+    if constexpr (rheology::HasLocalYieldFriction<Law>) {
+      std::vector<const double*> read;
+      for (const InputColumn& input : Law::inputs) {
+        read.push_back(particles.column(particles.find_column(input.name, Law::name)).component(0));
+      }
+      for (Index p = 0; p < column.size(); ++p) {
+        std::size_t next = 0;
+        column.component(0)[p] = law.yield_friction(rheology::made_of<typename Law::template Input<double>>(
+            Law::inputs, [&](const InputColumn& /*input*/) { return read[next++][p]; }));
+      }
+    }
+  };
+  std::visit(follow_law, any_law);
 }
 
 #define SCREE_INSTANCE(D, V)                                                        \

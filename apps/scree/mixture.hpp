@@ -11,15 +11,17 @@
 
 namespace scree::app {
 
-/// Names of the columns that a run with grains adds to its points. The last two are there only for a law that
+/// Names of the columns that a run with grains adds to its points. The last three are there only for who
 /// reads them.
 inline constexpr std::string_view fraction_column = "fraction";
 inline constexpr std::string_view grain_size_column = "grain_size";
 inline constexpr std::string_view coarse_fraction_column = "coarse_fraction";
 inline constexpr std::string_view maximum_packing_column = "maximum_packing";
+inline constexpr std::string_view friction_column = "friction";
 
 /// What follows from the fractions of a point, a column each: its mean size, Eq. (G1), and, if the law of the
-/// scene reads them, its share of coarse grains, Eq. (G23), and its largest packing, Eqs. (G30) to (G32).
+/// scene reads them, its share of coarse grains, Eq. (G23), and its largest packing, Eqs. (G30) to (G32); if
+/// a wall reads it, the friction at which the law yields there, Eq. (R164).
 class Mixture {
  public:
   /// @param scene with grains
@@ -36,7 +38,7 @@ class Mixture {
 
  private:
   using Weights = std::vector<double>;  // one per class: the column is their sum, by fractions
-  using Rule = std::variant<Weights, grainsize::CompressiblePacking>;
+  using Rule = std::variant<Weights, grainsize::CompressiblePacking, rheology::AnyLaw>;
   struct Follower {
     Quantity quantity;
     Rule rule;
@@ -44,6 +46,8 @@ class Mixture {
   void follow(const Weights& weights, const mpm::Column& fractions, mpm::Column& column);
   void follow(const grainsize::CompressiblePacking& packing, const mpm::Column& fractions,
               mpm::Column& column);
+  template <int D, int V>
+  static void follow(const rheology::AnyLaw& law, const mpm::Particles<D, V>& particles, mpm::Column& column);
 
   std::vector<double> initial_;
   std::vector<Follower> followers_;

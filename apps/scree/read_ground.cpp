@@ -1,5 +1,6 @@
 #include "scree/read_ground.hpp"
 
+#include "scree/mixture.hpp"
 #include "scree/read_walls.hpp"
 
 #include <fmt/format.h>
@@ -82,6 +83,9 @@ void check_dimensions(const TomlTable& table, const Scene& scene, int needed) {
               "needs ground that is a map, surface = \"raster\"");
   table.check(reads_friction(terrain.contact), {key, "contact"},
               "needs a contact whose law reads a friction, as \"material_friction\" does");
+  const auto& of_material = terrain.contact.of_material;
+  table.check(std::ranges::find(of_material, friction_column) == of_material.end(), {key, "contact"},
+              "needs a contact whose friction is a number: that holds where the map has no value");
   for (const double value : raster->values) {
     table.check(std::isnan(value) || value > 0, {key},
                 fmt::format("has a value of {:g}, and must exceed 0", value));

@@ -2,12 +2,16 @@
 
 #include "scree/axes.hpp"
 #include "scree/chosen.hpp"
+#include "scree/law_columns.hpp"
+#include "scree/material_columns.hpp"
+#include "scree/mixture.hpp"
 #include "scree/read_models.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,20 +23,8 @@ namespace {
 
 using io::TomlTable;
 
-/// The parameter of a law that a column asks for by name and unit.
-[[nodiscard]] std::optional<double> parameter_of(const rheology::AnyLaw& any_law, const InputColumn& column) {
-  return std::visit(
-      [&](const auto& law) -> std::optional<double> {
-        for (const auto& parameter : law.parameters) {
-          if (parameter.name == column.name && parameter.unit == column.unit) return law.*parameter.member;
-        }
-        return std::nullopt;
-      },
-      any_law);
-}
-
 /// What the scene says of a column that a wall across an axis reads: the mean size of its grains, the depth
-/// of its material along the axis, or a parameter of its law.
+/// of its material along the axis, or the friction at which that yields.
 [[nodiscard]] std::optional<double> from_scene(const Scene& scene, std::size_t axis,
                                                const InputColumn& column) {
   if (column.name == "grain_size" && scene.grains) {
@@ -42,25 +34,55 @@ using io::TomlTable;
   if (column.name == "depth" && axis < std::min(material.low.size(), material.high.size())) {
     return material.high[axis] - material.low[axis];
   }
-  return parameter_of(scene.law, column);
+  if (column.name == friction_column) return yield_friction(scene.law);
+  return std::nullopt;
 }
 
-/// What a law of friction reads, a key for each column; nothing if it reads nothing.
-[[nodiscard]] std::vector<double> read_inputs(const TomlTable& table, const Scene& scene, std::size_t axis,
-                                              const rheology::AnyWallLaw& any_law) {
-  std::vector<double> inputs;
+/// The names of the columns of the material in a unit.
+[[nodiscard]] std::vector<std::string_view> material_names(const Scene& scene, std::string_view unit) {
+  std::vector<std::string_view> names;
+  for (const MaterialColumn& column : material_columns(scene)) {
+    if (column.unit == unit) names.push_back(column.name);
+  }
+  return names;
+}
+
+/// The column of the material that a key names, or that stands for the key where it is left out: its friction
+/// is by place. Nothing if what the law reads is a number.
+[[nodiscard]] std::string read_of_material(const TomlTable& table, const Scene& scene,
+                                           const InputColumn& column) {
+  const auto names = material_names(scene, column.unit);
+  if (table.is_string(column.name) && !names.empty()) {
+    return table.choice(
+        column.name,
+        fmt::format("a number, or what the law of the wall reads of the material [{}]", column.unit), names);
+  }
+  const bool is_own =
+      column.name == friction_column && std::ranges::find(names, friction_column) != names.end();
+  return is_own && !table.has(column.name) ? std::string{friction_column} : std::string{};
+}
+
+/// What a law of friction reads, a key for each column.
+/// @param wall FrictionScene or ContactScene: what it is told goes there
+template <class WallOrContact>
+void read_inputs(const TomlTable& table, const Scene& scene, std::size_t axis,
+                 const rheology::AnyWallLaw& any_law, WallOrContact& wall) {
+  constexpr double unread = std::numeric_limits<double>::quiet_NaN();
+  const auto read = [&](const InputColumn& column) {
+    const std::string meaning = fmt::format("what the law of the wall reads [{}]", column.unit);
+    const auto known = from_scene(scene, axis, column);
+    const io::Bounds bounds = bounds_of(column.range);
+    return known ? table.number_or(*known, column.name, meaning, bounds)
+                 : table.number(column.name, meaning, bounds);
+  };
   std::visit(
       [&](const auto& law) {
         for (const InputColumn& column : law.inputs) {
-          const std::string meaning = fmt::format("what the law of the wall reads [{}]", column.unit);
-          const auto known = from_scene(scene, axis, column);
-          const io::Bounds bounds = bounds_of(column.range);
-          inputs.push_back(known ? table.number_or(*known, column.name, meaning, bounds)
-                                 : table.number(column.name, meaning, bounds));
+          wall.of_material.push_back(read_of_material(table, scene, column));
+          wall.inputs.push_back(wall.of_material.back().empty() ? read(column) : unread);
         }
       },
       any_law);
-  return inputs;
 }
 
 [[nodiscard]] mpm::Hold read_hold(const TomlTable& table) {
@@ -76,7 +98,7 @@ using io::TomlTable;
   const std::string name = table.choice("law", "friction of the wall", laws);
   if (!table.is_sound("law")) return wall;
   read_named(table, name, wall.law);
-  wall.inputs = read_inputs(table, scene, axis, wall.law);
+  read_inputs(table, scene, axis, wall.law, wall);
   wall.hold = read_hold(table);
   return wall;
 }
@@ -170,7 +192,7 @@ ContactScene read_contact(const TomlTable& table, const Scene& scene) {
   if (is_table && name != mpm::Sticks::name && name != mpm::Slides::name) {
     rheology::AnyWallLaw law;
     read_named(own, name, law);
-    contact.inputs = read_inputs(own, scene, no_axis, law);
+    read_inputs(own, scene, no_axis, law, contact);
     contact.law = law;
   }
   if (is_table) contact.hold = read_hold(own);

@@ -10,7 +10,8 @@ namespace scree::app {
 
 /// The ends of every axis. A wall is the name of one that holds, `y_low = "no_slip"`, or a table of one with
 /// friction, `y_low = {law = "coulomb", friction = 0.4}`: the law's parameters, and a key for each column
-/// that it reads, which may be left out where the scene has such a number. An end may be "open".
+/// that it reads: a number, the name of a column of the material, or nothing where the scene has such a
+/// number. An end may be "open".
 /// @param scene of which the mesh, the material, the law and the grains have been read
 [[nodiscard]] std::vector<AxisScene> read_axes(const io::TomlTable& boundaries, const Scene& scene);
 

@@ -42,6 +42,9 @@ struct MeshScene {
 struct FrictionScene {
   rheology::AnyWallLaw law;
   std::vector<double> inputs;  ///< a number per column that the law reads, all over the wall, in its unit
+  /// Or, unless empty, the name of a column of the material, one per column that the law reads: then it reads
+  /// that, the mean where it holds material.
+  std::vector<std::string> of_material;
   mpm::Hold hold = mpm::Hold::pushes;
 };
 
@@ -63,7 +66,8 @@ struct AxisScene {
 /// How ground and bodies hold material that touches them.
 struct ContactScene {
   std::variant<mpm::Sticks, mpm::Slides, rheology::AnyWallLaw> law;
-  std::vector<double> inputs;  ///< a number per column that the law reads, in its unit
+  std::vector<double> inputs;            ///< a number per column that the law reads, in its unit
+  std::vector<std::string> of_material;  ///< or, unless empty, the column of the material that it reads
   mpm::Hold hold = mpm::Hold::pushes;
 };
 

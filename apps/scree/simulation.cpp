@@ -30,10 +30,16 @@ template <int D, int V>
   const Filling<D> filling{scene, grid, ground};
   auto particles = make_points<D, V>(scene, filling, grid, ground);
   stages = make_stages(scene, grid, particles);
-  stages.boundaries = make_boundaries<D, V>(scene, grid, ground, 1 + stages.transfer->stencil_shift());
+  const PlaceOfMean place_of = [&](std::string_view column, const InputColumn& input, std::string_view law) {
+    if (!stages.node_means) stages.node_means = std::make_unique<mpm::NodeMeans<D, V>>(scene.shape);
+    return stages.node_means->add(particles, column, input, law);
+  };
+  stages.boundaries =
+      make_boundaries<D, V>(scene, grid, ground, 1 + stages.transfer->stencil_shift(), place_of);
   if (scene.material.stored) {
     take_stored(scene, particles);
     stages.stress->require_inputs(particles);
+    if (stages.node_means) stages.node_means->require_inputs(particles);
   } else {
     require_stiff(scene, filling, stages, particles);
     settle(scene, filling, stages, particles);
@@ -231,6 +237,7 @@ void Simulation<D, V>::follow_grains() {
   mixture_->update(state.particles);
   try {
     stages_.stress->require_inputs(state.particles);
+    if (stages_.node_means) stages_.node_means->require_inputs(state.particles);
   } catch (const InputError& error) {
     throw RunError{std::string{error.what()} +
                    "; the grains of this point have become none that the law knows"};

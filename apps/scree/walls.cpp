@@ -1,7 +1,8 @@
 #include "scree/walls.hpp"
 
+#include "scree/with_contact.hpp"
+
 #include <scree/mpm/boundaries/frictional.hpp>
-#include <scree/rheology/columns.hpp>
 
 #include <variant>
 
@@ -11,27 +12,25 @@ namespace {
 
 template <int D>
 [[nodiscard]] std::unique_ptr<mpm::Boundary<D>> make(const mpm::AnyWall& wall, int axis, mpm::Side side,
-                                                     Symmetry /*symmetry*/) {
+                                                     Symmetry /*symmetry*/, const PlaceOfMean& /*place_of*/) {
   return mpm::make_wall<D>(wall, axis, side);
 }
 
 template <int D>
 [[nodiscard]] std::unique_ptr<mpm::Boundary<D>> make(const FrictionScene& wall, int axis, mpm::Side side,
-                                                     Symmetry symmetry) {
+                                                     Symmetry symmetry, const PlaceOfMean& place_of) {
   return std::visit(
       [&](const auto& law) {
         using Law = std::decay_t<decltype(law)>;
-        std::size_t next = 0;
-        const auto input = rheology::made_of<typename Law::template Input<double>>(
-            Law::inputs, [&](const InputColumn& /*column*/) { return wall.inputs.at(next++); });
-        return mpm::make_frictional_wall<D>(law, input, wall.hold, axis, side, symmetry);
+        return mpm::make_frictional_wall<D>(law, input_of<Law>(wall.inputs), wall.hold, axis, side, symmetry,
+                                            carried_input<Law>(wall.of_material, place_of));
       },
       wall.law);
 }
 
 template <int D>
 [[nodiscard]] std::unique_ptr<mpm::Boundary<D>> make(const OpenEnd& /*end*/, int /*axis*/, mpm::Side /*side*/,
-                                                     Symmetry /*symmetry*/) {
+                                                     Symmetry /*symmetry*/, const PlaceOfMean& /*place_of*/) {
   return nullptr;
 }
 
@@ -39,12 +38,15 @@ template <int D>
 
 template <int D>
 std::unique_ptr<mpm::Boundary<D>> make_boundary(const WallScene& wall, int axis, mpm::Side side,
-                                                Symmetry symmetry) {
-  return std::visit([&](const auto& kind) { return make<D>(kind, axis, side, symmetry); }, wall);
+                                                Symmetry symmetry, const PlaceOfMean& place_of) {
+  return std::visit([&](const auto& kind) { return make<D>(kind, axis, side, symmetry, place_of); }, wall);
 }
 
-template std::unique_ptr<mpm::Boundary<1>> make_boundary(const WallScene&, int, mpm::Side, Symmetry);
-template std::unique_ptr<mpm::Boundary<2>> make_boundary(const WallScene&, int, mpm::Side, Symmetry);
-template std::unique_ptr<mpm::Boundary<3>> make_boundary(const WallScene&, int, mpm::Side, Symmetry);
+template std::unique_ptr<mpm::Boundary<1>> make_boundary(const WallScene&, int, mpm::Side, Symmetry,
+                                                         const PlaceOfMean&);
+template std::unique_ptr<mpm::Boundary<2>> make_boundary(const WallScene&, int, mpm::Side, Symmetry,
+                                                         const PlaceOfMean&);
+template std::unique_ptr<mpm::Boundary<3>> make_boundary(const WallScene&, int, mpm::Side, Symmetry,
+                                                         const PlaceOfMean&);
 
 }  // namespace scree::app

@@ -1,6 +1,7 @@
 // Walls with friction, by their keys in a scene: every law of the list, and flows with exact solutions.
 
 #include "scenes.hpp"
+#include "scree/restart.hpp"
 #include "scree/simulation.hpp"
 
 #include <scree/mpm/boundaries/wall_lines.hpp>
@@ -9,7 +10,9 @@
 #include <gtest/gtest.h>
 #include <typed_lists.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 namespace scree::app::testing {
@@ -188,6 +191,135 @@ TEST(WallScene, IsAsRoughAsTheMaterial) {
   EXPECT_EQ(low_wall_of(text).inputs, (std::vector<double>{0.6}));
 }
 
+TEST(WallScene, IsAsRoughAsGrainsThatBeginToFlow) {
+  std::string text = with_base("{law = \"material_friction\", share = 0.5}");
+  const std::string fluid = "law = \"size_dependent_newtonian\"\nviscosity_per_size = 1e6\n";
+  text.replace(text.find(fluid), fluid.size(),
+               "law = \"mu_of_i\"\nmu_s = 0.35\nmu_2 = 0.6\nI_0 = 0.3\ngrain_density = 2500\n"
+               "shear_rate_floor = 1\n");
+
+  EXPECT_EQ(low_wall_of(text).inputs, (std::vector<double>{0.35}));
+}
+
+TEST(WallScene, ReadsAColumnOfTheMaterialByItsName) {
+  const FrictionScene wall = low_wall_of(
+      with_base("{law = \"pouliquen_forterre\", mu_1 = 0.3, mu_2 = 0.6, mu_3 = 0.4, beta = 0.1, "
+                "length_per_size = 2, weakening = 1e-3, gravity = 9.81, grain_size = \"grain_size\"}"));
+
+  EXPECT_EQ(wall.of_material, (std::vector<std::string>{"", "grain_size"}));
+  EXPECT_EQ(wall.inputs[0], 0.75);
+}
+
+/// Fine and coarse grains that rub unlike each other, a layer down a slope over a wall as rough as they are.
+[[nodiscard]] Scene mixed_layer(const std::string& friction, const std::string& segregation) {
+  return parse_scene(R"([mesh]
+dimensions = 1
+velocity_components = 2
+size = [0.4]
+cells = 8
+[boundaries]
+y_low = {law = "material_friction", share = 1)" +
+                         friction + R"(}
+y_high = "slip"
+[material]
+low = [0.0]
+high = [0.2]
+[gravity]
+slope_degrees = 30
+[rheology]
+law = "mixture_mu_of_i"
+mu_s_fine = 0.3
+mu_s_coarse = 0.5
+mu_2_fine = 0.644
+mu_2_coarse = 0.781
+I_0_fine = 0.279
+I_0_coarse = 0.279
+grain_density = 2500
+shear_rate_floor = 1
+bulk_modulus = 1e5
+density = 1500
+[grains]
+diameters = [1e-3, 2e-3]
+fractions = [0.5, 0.5]
+[numerics]
+maximum_dt = 5e-4
+[time]
+end = 100
+)" + segregation,
+                     "scene.toml")
+      .scene;
+}
+
+const std::string segregates = "[segregation]\nclosure = \"shear_rate\"\nc = 0.05\nevery = 1\n";
+
+/// mu of the mix that the law of the layer has at a coarse fraction, Eq. (R76), as the wall node should have
+/// it by linear shapes, Eq. (M170).
+[[nodiscard]] double friction_at_wall(const mpm::Particles<1, 2>& particles) {
+  const mpm::Column& fractions = particles.column(particles.find_column("fraction", "the test"));
+  double mass = 0;
+  double sum = 0;
+  for (Index p = 0; p < particles.size(); ++p) {
+    const double hat = std::max(0.0, 1 - particles.position.component(0)[p] / 0.05);
+    mass += hat * particles.mass.component(0)[p];
+    sum += hat * particles.mass.component(0)[p] * (0.3 + 0.2 * fractions.component(1)[p]);
+  }
+  return sum / mass;
+}
+
+/// When grains have segregated the wall rubs as those do that have come to it: in each step momentum along it
+/// and that mu times the one across change by the weight alone.
+TEST(MaterialFrictionScene, IsThatOfTheGrainsAtTheWall) {
+  Simulation<1, 2> layer{mixed_layer("", segregates), {1}};
+  run_until(layer, 0.5);
+
+  for (int n = 0; n < 20; ++n) {
+    const double mu = friction_at_wall(layer.state.particles);
+    const double before = mean_velocity(layer, 1) + mu * mean_velocity(layer, 0);
+    const double moved = layer.clock.moved;
+    layer.step();
+
+    EXPECT_GT(std::abs(mu - 0.4), 1e-3);  // of the mix at the start
+    EXPECT_NEAR(layer.state.nodes.means(1)[0], mu, 100 * round_off);
+    const double gained = mean_velocity(layer, 1) + mu * mean_velocity(layer, 0) - before;
+    const double slope = gravity * (std::sin(30 * degree) - mu * std::cos(30 * degree));
+    // A step of about 100 sums, of speeds up to 5 m/s
+    EXPECT_NEAR(gained, (layer.clock.moved - moved) * slope, 100 * 5 * round_off);
+  }
+}
+
+[[nodiscard]] std::vector<double> motion_of(const Simulation<1, 2>& simulation) {
+  const auto x = simulation.state.particles.position.values();
+  const auto v = simulation.state.particles.velocity.values();
+  std::vector<double> all{x.begin(), x.end()};
+  all.insert(all.end(), v.begin(), v.end());
+  return all;
+}
+
+TEST(MaterialFrictionScene, OfGrainsThatStayIsTheNumberItIsToTheBit) {
+  Simulation<1, 2> carried{mixed_layer("", ""), {1}};
+  const auto& particles = carried.state.particles;
+  const double mu = particles.column(particles.find_column("friction", "the test")).component(0)[0];
+  Simulation<1, 2> constant{mixed_layer(fmt::format(", friction = {:.17g}", mu), ""), {1}};
+
+  for (auto* simulation : {&carried, &constant}) run_until(*simulation, 0.1);
+
+  EXPECT_FALSE(constant.state.particles.column_named("friction"));
+  EXPECT_EQ(motion_of(carried), motion_of(constant));
+}
+
+TEST(MaterialFrictionScene, GoesOnFromACheckpointBitForBit) {
+  const auto file = std::filesystem::path{::testing::TempDir()} / "scree_material_friction.h5";
+  Simulation<1, 2> unbroken{mixed_layer("", segregates), {1}};
+  run_until(unbroken, 0.1);
+  write_checkpoint(unbroken, file, "");
+  Simulation<1, 2> restarted{mixed_layer("", segregates), {1}};
+  read_checkpoint_into(restarted, file);
+
+  for (auto* simulation : {&unbroken, &restarted}) run_until(*simulation, 0.2);
+
+  EXPECT_EQ(motion_of(unbroken), motion_of(restarted));
+}
+
 TEST(WallScene, PullsIfTold) {
   EXPECT_EQ(low_wall_of(with_base("{law = \"coulomb\", friction = 0.4}")).hold, mpm::Hold::pushes);
   EXPECT_EQ(low_wall_of(with_base("{law = \"coulomb\", friction = 0.4, hold = \"pushes_and_pulls\"}")).hold,
@@ -249,6 +381,18 @@ TEST(BadWall, InputThatTheSceneDoesNotHaveIsMissing) {
   EXPECT_EQ(
       message_of(with_base("{law = \"material_friction\", share = 0.5, friction = 0}")),
       "scene.toml:7: [boundaries.y_low] friction = 0: must exceed 0 (what the law of the wall reads [-])");
+}
+
+TEST(BadWall, ColumnThatTheMaterialDoesNotHaveIsAnsweredWithThoseItHas) {
+  EXPECT_EQ(
+      message_of(with_base("{law = \"pouliquen_forterre\", mu_1 = 0.3, mu_2 = 0.6, mu_3 = 0.4, beta = 0.1, "
+                           "length_per_size = 2, weakening = 1e-3, gravity = 9.81, grain_size = \"size\"}")),
+      "scene.toml:7: [boundaries.y_low] grain_size = \"size\": expected one of grain_size (a number, or what "
+      "the law of the wall reads of the material [m])");
+  EXPECT_EQ(
+      message_of(with_base("{law = \"material_friction\", share = 0.5, friction = \"friction\"}")),
+      "scene.toml:7: [boundaries.y_low] friction = \"friction\": expected a number (what the law of the wall "
+      "reads [-]), got a string");
 }
 
 TEST(BadWall, ImplicitViscosityKnowsNoFriction) {

@@ -77,6 +77,15 @@ TEST(TomlReader, TellsATableFromAValue) {
   EXPECT_FALSE(root.is_table("absent"));
 }
 
+TEST(TomlReader, TellsANameFromANumber) {
+  TomlFile file = parse("size = \"grain_size\"\ndepth = 0.5\n");
+  const TomlTable root = file.root();
+
+  EXPECT_TRUE(root.is_string("size"));
+  EXPECT_FALSE(root.is_string("depth"));
+  EXPECT_FALSE(root.is_string("absent"));
+}
+
 TEST(TomlReader, FallsBackWhereAKeyOrTableIsLeftOut) {
   TomlFile file = parse("");
   const TomlTable solver = file.root().table_or_empty("solver");

@@ -168,6 +168,10 @@ bool TomlTable::is_table(std::string_view key) const {
   return has(key) && detail::find(*node_, key)->is_table();
 }
 
+bool TomlTable::is_string(std::string_view key) const {
+  return has(key) && detail::find(*node_, key)->is_string();
+}
+
 double TomlTable::number(std::string_view key, std::string_view meaning, const Bounds& bounds) const {
   const Question question{*state_, *node_, {key, meaning, "a number", bounds.to_text()}};
   return read_number<double>(question, bounds, {}, no_number);

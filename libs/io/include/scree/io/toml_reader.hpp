@@ -42,6 +42,9 @@ class TomlTable {
   /// Whether the key is there and holds a table, for keys that may be either a value or a table. It counts as
   /// known.
   [[nodiscard]] bool is_table(std::string_view key) const;
+  /// Whether the key is there and holds a string, for keys that may be a name or a number. It counts as
+  /// known.
+  [[nodiscard]] bool is_string(std::string_view key) const;
 
   /// A finite number; an integer will do.
   double number(std::string_view key, std::string_view meaning, const Bounds& bounds = any_value()) const;

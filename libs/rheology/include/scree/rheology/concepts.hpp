@@ -62,4 +62,19 @@ concept HasStabilityNumber = requires(const Law law, const Deformation<double>& 
   noexcept->std::same_as<double>;
 };
 
+/// A law of grains that know the friction at which they yield, shear stress over pressure [-]: what a wall
+/// bears that is as rough as the material.  Eq. (R164)
+template <class Law>
+concept HasYieldFriction = requires(const Law law) {
+  { law.yield_friction() }
+  noexcept->std::same_as<double>;
+};
+
+/// The same of one whose friction is by what it reads, and so by place.
+template <class Law>
+concept HasLocalYieldFriction = requires(const Law law, const typename Law::template Input<double>& input) {
+  { law.yield_friction(input) }
+  noexcept->std::same_as<double>;
+};
+
 }  // namespace scree::rheology

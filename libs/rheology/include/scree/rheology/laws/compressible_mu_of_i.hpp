@@ -65,6 +65,9 @@ struct CompressibleMuOfI {
        1500},
   }};
 
+  /// Friction at yield [-].  Eq. (R164)
+  [[nodiscard]] constexpr double yield_friction() const noexcept { return mu_s; }
+
   /// Cauchy stress at the end of the step [Pa]; depends on neither a state nor the step.
   template <class Real>
   [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
@@ -136,6 +139,6 @@ struct CompressibleMuOfI {
     return flow;
   }
 };
-static_assert(DescribedLaw<CompressibleMuOfI>);
+static_assert(DescribedLaw<CompressibleMuOfI> && HasYieldFriction<CompressibleMuOfI>);
 
 }  // namespace scree::rheology

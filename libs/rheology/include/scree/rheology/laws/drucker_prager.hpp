@@ -53,6 +53,9 @@ struct DruckerPrager {
        Bound::positive, 1500},
   }};
 
+  /// Friction at yield [-].  Eq. (R164)
+  [[nodiscard]] constexpr double yield_friction() const noexcept { return friction; }
+
   /// Cauchy stress [Pa] and elastic strain at the end of the step.
   template <class Real>
   [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
@@ -90,6 +93,6 @@ struct DruckerPrager {
     return {wave_speed(density, bulk_modulus + 4 * shear_modulus / 3), 0};
   }
 };
-static_assert(DescribedLaw<DruckerPrager>);
+static_assert(DescribedLaw<DruckerPrager> && HasYieldFriction<DruckerPrager>);
 
 }  // namespace scree::rheology

@@ -64,6 +64,9 @@ struct GranularElastoviscoplastic {
       {"density", "kg/m^3", "density below which grains do not touch", &Self::density, Bound::positive, 1500},
   }};
 
+  /// Friction at yield [-].  Eq. (R164)
+  [[nodiscard]] constexpr double yield_friction() const noexcept { return mu_s; }
+
   /// Cauchy stress and its deviator at the end of the step [Pa].
   template <class Real>
   [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
@@ -122,6 +125,7 @@ struct GranularElastoviscoplastic {
     return select(tau_trial <= S_0, Real(1.0), flowing);
   }
 };
-static_assert(DescribedLaw<GranularElastoviscoplastic> && HasStabilityNumber<GranularElastoviscoplastic>);
+static_assert(DescribedLaw<GranularElastoviscoplastic> && HasStabilityNumber<GranularElastoviscoplastic> &&
+              HasYieldFriction<GranularElastoviscoplastic>);
 
 }  // namespace scree::rheology

@@ -71,6 +71,11 @@ struct MixtureMuOfI {
       {"density", "kg/m^3", "density without pressure", &Self::density, Bound::positive, 1500},
   }};
 
+  /// Friction at yield [-], of this mix.  Eqs. (R76), (R164)
+  [[nodiscard]] double yield_friction(const Input<double>& input) const noexcept {
+    return friction_of(input.coarse_fraction).mu_s;
+  }
+
   /// Viscosity mu p/gdot [Pa s], finite down to p = 0, where there is none.  Eqs. (R13), (R76)
   template <class Real>
   [[nodiscard]] Real viscosity_at(const Tensor<Real>& velocity_gradient, const Input<Real>& input,
@@ -128,6 +133,7 @@ struct MixtureMuOfI {
             I_0_fine + (I_0_coarse - I_0_fine) * coarse};
   }
 };
-static_assert(DescribedLaw<MixtureMuOfI> && HasStabilityNumber<MixtureMuOfI>);
+static_assert(DescribedLaw<MixtureMuOfI> && HasStabilityNumber<MixtureMuOfI> &&
+              HasLocalYieldFriction<MixtureMuOfI>);
 
 }  // namespace scree::rheology

@@ -74,6 +74,9 @@ struct MohrCoulomb {
       {"density", "kg/m^3", "density of the unloaded material", &MohrCoulomb::density, Bound::positive, 1500},
   }};
 
+  /// Friction at yield [-].  Eq. (R164)
+  [[nodiscard]] constexpr double yield_friction() const noexcept { return friction; }
+
   /// Cauchy stress [Pa], elastic strain and dilation at the end of the step.
   template <class Real>
   [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
@@ -136,6 +139,6 @@ struct MohrCoulomb {
     return num_operations * round_off * (2 * shear_modulus + bulk_modulus);
   }
 };
-static_assert(DescribedLaw<MohrCoulomb>);
+static_assert(DescribedLaw<MohrCoulomb> && HasYieldFriction<MohrCoulomb>);
 
 }  // namespace scree::rheology

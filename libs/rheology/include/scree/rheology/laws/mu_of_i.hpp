@@ -54,6 +54,9 @@ struct MuOfI {
       {"density", "kg/m^3", "density without pressure", &MuOfI::density, Bound::positive, 1500},
   }};
 
+  /// Friction at yield [-].  Eq. (R164)
+  [[nodiscard]] constexpr double yield_friction() const noexcept { return mu_s; }
+
   /// Friction at an inertial number [-].  Eq. (R11)
   [[nodiscard]] double friction(double inertial_number) const noexcept {
     return mu_s + (mu_2 - mu_s) * inertial_number / (I_0 + inertial_number);
@@ -100,6 +103,6 @@ struct MuOfI {
     return rheology::stability_number(i, friction(i), slope);
   }
 };
-static_assert(DescribedLaw<MuOfI> && HasStabilityNumber<MuOfI>);
+static_assert(DescribedLaw<MuOfI> && HasStabilityNumber<MuOfI> && HasYieldFriction<MuOfI>);
 
 }  // namespace scree::rheology

@@ -70,6 +70,9 @@ struct MuPhiOfI {
        1500},
   }};
 
+  /// Friction at yield [-].  Eq. (R164)
+  [[nodiscard]] constexpr double yield_friction() const noexcept { return mu_s; }
+
   /// Cauchy stress [Pa] and unloaded volume at the end of the step.
   template <class Real>
   [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
@@ -140,6 +143,6 @@ struct MuPhiOfI {
     return {x, select(size <= tolerance * terms, Real(0.0), Real(size / terms))};
   }
 };
-static_assert(DescribedLaw<MuPhiOfI>);
+static_assert(DescribedLaw<MuPhiOfI> && HasYieldFriction<MuPhiOfI>);
 
 }  // namespace scree::rheology
