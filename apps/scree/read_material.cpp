@@ -145,7 +145,7 @@ void bound(const MeshScene& mesh, MaterialScene& material) {
     material.high = scene.mesh.size;
   }
   const std::filesystem::path name = table.string("checkpoint", "checkpoint of another run");
-  table.check(name != "checkpoint.h5", {"checkpoint"},
+  table.check(name.lexically_normal() != "checkpoint.h5", {"checkpoint"},
               "is the name that this run gives its own, which it writes over the copy: rename the file, or "
               "put it into a folder");
   return material;

@@ -2,6 +2,7 @@
 
 #include "scree/checkpoint_layout.hpp"
 #include "scree/dimensions.hpp"
+#include "scree/mixture.hpp"
 #include "scree/traits.hpp"
 
 #include <scree/io/checkpoint.hpp>
@@ -145,7 +146,7 @@ void require_same_parts(const Simulation<D, V>& simulation, const io::Checkpoint
   const std::string differences = difference(checkpoint.text("traits"), traits_of_run(simulation.scene()));
   require(differences.empty(), path.string() + ": is of another run: " + differences);
   simulation.state.particles.for_each_column([&](const mpm::Column& column) {
-    require(checkpoint.contains(entry_of(column)),
+    require(checkpoint.contains(entry_of(column)) || column.quantity().name == friction_column,
             path.string() + ": is of another scene: it has no column '" + column.quantity().name + "'");
   });
 }
@@ -192,6 +193,7 @@ void read_checkpoint_into(Simulation<D, V>& simulation, const std::filesystem::p
   const Index size = checkpoint.length(entry_of(state.particles.mass));
   state.particles.resize(size);
   state.particles.for_each_column([&](mpm::Column& column) {
+    if (!checkpoint.contains(entry_of(column))) return;  // found anew, as walls of this scene want it
     const auto values = checkpoint.doubles(entry_of(column), size * column.num_components());
     std::copy(values.begin(), values.end(), column.values().begin());
   });

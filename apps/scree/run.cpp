@@ -56,19 +56,26 @@ class RunOnDisk {
     }
     const InterruptGuard guard;
     Outcome outcome = Outcome::finished;
+    Standing last = standing();
+    const auto fail = [&](const std::exception& error) {
+      outcome = Outcome::failed;
+      failure_ = error.what();
+    };
     try {
       if (!options_.restart) store_frame();
       while (!simulation_.is_finished() && !guard.is_interrupted()) {
         if (simulation_.step()) store_frame();
-        progress_.update(standing());
+        last = standing();
+        progress_.update(last);
       }
       if (!simulation_.is_finished()) outcome = Outcome::interrupted;
       checkpoint();
     } catch (const RunError& error) {
-      outcome = Outcome::failed;
-      failure_ = error.what();
+      fail(error);
+    } catch (const InputError& error) {  // nothing bounds the step: rates have become no numbers
+      fail(error);
     }
-    progress_.finish(standing());
+    progress_.finish(last);
     if (const auto share = simulation_.ill_posed_share(); share && !options_.is_quiet) {
       fmt::print("{:.1f} % of the points are where the law is ill-posed (C > 0)\n", 100 * *share);
     }

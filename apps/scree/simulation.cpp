@@ -206,6 +206,10 @@ template <int D, int V>
 void Simulation<D, V>::resume() {
   for (const auto& boundary : stages_.boundaries) boundary->advance(clock.moved);
   mpm::resume(state, stages_);
+  if (mixture_) mixture_->update(state.particles);  // by the constants of this scene
+  const double every = scene_.output.every;         // of this scene, too
+  while (clock.frame > 1 && static_cast<double>(clock.frame - 1) * every > clock.time) --clock.frame;
+  while (static_cast<double>(clock.frame) * every <= clock.time) ++clock.frame;
   if (num_points() == 0) state.needs_sort = true;  // as count_updates() left it
 }
 
@@ -224,8 +228,10 @@ bool Simulation<D, V>::step() {
   clock.time = reaches_frame ? next_frame_time() : clock.time + next.dt;
   ++clock.step;
   if (reaches_frame) ++clock.frame;
-  clock.unsegregated_time += next.dt;
-  ++clock.unsegregated_steps;
+  if (coupling_) {
+    clock.unsegregated_time += next.dt;
+    ++clock.unsegregated_steps;
+  }
   ++tally.steps_by_limit[static_cast<std::size_t>(next.limit)];
   if (coupling_ && (reaches_frame || clock.unsegregated_steps >= scene_.segregation->every)) segregate();
   if (crushing_ && reaches_frame) observe_fractions(state.particles, tally.fractions);

@@ -96,8 +96,9 @@ void require_stiff(const Scene& scene, const Filling<D>& filling, const mpm::Sta
   if (pressure < modulus) return;
   throw InputError{fmt::format(
       "[rheology] bulk_modulus = {:g}: the material bears {:.4g} Pa at the start, {:.3g} times as much, and "
-      "would be compressed beyond sense: give more than {:.2g}, of which that is a tenth [Pa]",
-      modulus, pressure, pressure / modulus, 10 * pressure)};
+      "would be compressed beyond sense: give more than that, and ten times that to keep it below a tenth "
+      "[Pa]",
+      modulus, pressure, pressure / modulus)};
 }
 
 #define SCREE_INSTANCE(D, V)                                                             \

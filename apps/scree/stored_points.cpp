@@ -77,9 +77,9 @@ void require_inside(const mpm::Particles<D, V>& particles, const CartesianGrid<D
   }
 }
 
-/// What implicit viscosity keeps of a step is found anew in the next.
+/// What implicit viscosity keeps of a step is found anew in the next, and what walls read as the walls are.
 [[nodiscard]] bool is_kept(const std::string& column) {
-  return column != viscosity_column;
+  return column != viscosity_column && column != friction_column;
 }
 
 }  // namespace
@@ -133,6 +133,7 @@ void take_stored(const Scene& scene, mpm::Particles<D, V>& particles) {
   std::vector<std::string> here;
   particles.for_each_column([&](mpm::Column& column) {
     const std::string& name = here.emplace_back(column.quantity().name);
+    if (name == friction_column) return;
     require(std::ranges::count(stored.columns, name) == 1, "[material] checkpoint: " + stored.path.string() +
                                                                ": its points have no column '" + name +
                                                                "', which those of the scene have");

@@ -106,7 +106,7 @@ contact = )" + law + "\n" +
 TEST(AxisymmetricScene, GivesGroundBodiesAndWallsTheAreasOfARadian) {  // Eqs. (M175)-(M177)
   const Scene scene = pipe_with_drag();
   const auto grid = make_grid<2>(scene);
-  const auto boundaries = make_boundaries<2, 2>(scene, grid, ground_of<2>(scene), 1);
+  const auto boundaries = make_boundaries<2, 2>(scene, grid, ground_of<2>(scene), 1, {});
   const double rounding = 1e-12;  // some dozen round-offs of 1, over 1 - left >= 0.01
 
   EXPECT_NEAR(felt_area(*boundaries[0], grid, {2, 1}, 0, -1), 0.2 * 0.1, rounding);  // ground

@@ -193,6 +193,26 @@ TEST(BadCheckpoint, OfOtherMaterialIsRefused) {
                                           "there and [0.0005, 0.001] in the scene");
 }
 
+/// The next frame is the first of the scene that goes on, whatever the run before had.
+TEST(Restart, TakesTheFramesOfItsOwnScene) {
+  const fs::path file = scratch_file("frames.h5");
+  Simulation<2, 2> first{scene_of("granular_column_collapse", {"mesh.cells=12", "output.every=0.01"}), {1}};
+  while (!first.step()) continue;
+  ASSERT_EQ(first.clock.time, 0.01);
+  EXPECT_EQ(first.clock.unsegregated_steps, 0);  // nothing here segregates, nor would it all at once
+  write_checkpoint(first, file, "");
+
+  for (const auto& [every, next] : {std::pair{"0.01", 0.02}, {"0.004", 0.012}, {"0.1", 0.1}}) {
+    Simulation<2, 2> restarted{
+        scene_of("granular_column_collapse", {"mesh.cells=12", "output.every=" + std::string{every}}), {1}};
+    read_checkpoint_into(restarted, file);
+
+    EXPECT_EQ(restarted.next_frame_time(), next);
+    restarted.step();
+    EXPECT_GT(restarted.clock.time, 0.01);
+  }
+}
+
 /// What the points do not depend on may change: here constants of the law, walls, gravity, shares of the
 /// limits, ends and outputs.
 TEST(Restart, GoesOnUnderOtherConstants) {

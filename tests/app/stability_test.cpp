@@ -70,9 +70,11 @@ TEST(StableStep, LeavesRoomForSoundAndViscosityTogether) {
 
 /// The deepest point lies 0.729 m under the surface: 7153 Pa.
 TEST(StiffLaw, MustBearTheWeightOfItsMaterial) {
-  EXPECT_EQ(message_of("", 1, 9.81, 500),
-            "[rheology] bulk_modulus = 500: the material bears 7153 Pa at the start, 14.3 times as much, and "
-            "would be compressed beyond sense: give more than 7.2e+04, of which that is a tenth [Pa]");
+  EXPECT_EQ(
+      message_of("", 1, 9.81, 500),
+      "[rheology] bulk_modulus = 500: the material bears 7153 Pa at the start, 14.3 times as much, and "
+      "would be compressed beyond sense: give more than that, and ten times that to keep it below a tenth "
+      "[Pa]");
   EXPECT_EQ(message_of("", 1, 9.81, 7154), "no error");
 }
 
