@@ -62,6 +62,10 @@ template <int D>
 [[nodiscard]] double error_of_affine_velocity(const AnyShape& shape, const AnyTransfer& rule) {
   const auto grid = cube<D>(3, 1, false);
   auto particles = scattered<D>(grid, 40, 0);
+  for (int axis = 0; axis < D; ++axis) {  // two of them exactly in corners
+    particles.position.component(axis)[0] = 0;
+    particles.position.component(axis)[1] = 3;
+  }
   fill_at_random(particles.velocity_gradient, 0.2);
   const auto gradient = [&](int i, int j) { return particles.velocity_gradient.component(i + D * j)[0]; };
   const auto velocity_at = [&](const Vector<D>& x, int i) {

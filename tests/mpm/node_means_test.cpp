@@ -367,6 +367,21 @@ TEST(CarriedFriction, HasTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
+TEST(CarriedFriction, IsReadOnWhenARunGoesOn) {
+  TwoBlocks whole{every_base()[1], 0.5, true, Quadratic{}};
+  whole.advance(5);
+  const State<2, 2>& stored = *whole.state;
+  State<2, 2> resumed{stored.particles, Nodes<2>{stored.nodes.grid(), whole.stages.transfer->record()}};
+  resumed.blocks.blocks = stored.blocks.blocks;
+  resumed.mass_floor = stored.mass_floor;
+  resume(resumed, whole.stages);
+
+  whole.advance(5);
+  for (int n = 0; n < 5; ++n) step(resumed, whole.stages, TwoBlocks::dt, one_thread);
+
+  expect_same_bits(resumed.particles, whole.state->particles);
+}
+
 TEST(NodeMeans, RefuseWhatPointsDoNotCarry) {
   auto particles = scattered<2>(cube<2>(5, 0.1, false), 10, 0);
   particles.add_column({"fractions", "phi", "-"}, 2);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace scree::mpm {
@@ -208,6 +209,8 @@ TEST(LimitingPoint, IsTheOneWhoseRateIsTheLargest) {
   EXPECT_EQ(limiting(Limit::relaxation), std::nullopt);  // no memory of this law binds
   EXPECT_EQ(limiting(Limit::maximum), std::nullopt);
   EXPECT_EQ(limiting(Limit::output), std::nullopt);
+  particles.velocity.component(0)[3] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(limiting(Limit::acoustic), 3);
 }
 
 TEST(StressUpdate, RunsALawWithoutAKernelPointByPoint) {

@@ -30,7 +30,7 @@ class HoopTerm final : public PointTerm<2, 2> {
       radius[p] = x[p] - origin_;
       const double volume = particles.mass.component(0)[p] / particles.density.component(0)[p];
       const double force = -volume * stress[p] / radius[p];  // Eq. (M151)
-      for_each_node(particles, p, nodes,
+      for_each_node(particles, p, block, nodes,
                     [&](double* node, double weight) { node[place] += time * weight * force; });
     }
   }
@@ -48,15 +48,15 @@ class HoopTerm final : public PointTerm<2, 2> {
 
  private:
   template <class Body>
-  void for_each_node(const Particles<2, 2>& particles, Index p, Nodes<2>& nodes, Body&& body) const noexcept {
+  void for_each_node(const Particles<2, 2>& particles, Index p, const ParticleBlock<2>& block,
+                     Nodes<2>& nodes, Body&& body) const noexcept {
     constexpr std::size_t S = ShapeType::support;
     std::array<std::array<double, S>, 2> weight;
     std::array<Index, 2> base;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const int a = static_cast<int>(axis);
-      const CartesianGrid<2>& grid = nodes.grid();
-      const auto at = detail::place_of(particles.position.component(a)[p], grid.origin()[a],
-                                       1 / grid.spacing()[a], ShapeType::shift);
+      const auto at =
+          detail::place_in_block<ShapeType>(particles.position.component(a)[p], nodes.grid(), a, block);
       base[axis] = at.base;
       weight[axis] = shape_.weights(at.xi);
     }

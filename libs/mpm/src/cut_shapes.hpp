@@ -36,12 +36,12 @@ struct PointStencil {
 template <class ShapeType, int D, int V>
 [[nodiscard]] PointStencil<D, ShapeType::support> point_stencil(const ShapeType& shape,
                                                                 const Particles<D, V>& particles, Index p,
+                                                                const ParticleBlock<D>& block,
                                                                 const Nodes<D>& nodes) noexcept {
   PointStencil<D, ShapeType::support> stencil;
   for (std::size_t axis = 0; axis < D; ++axis) {
     const int a = static_cast<int>(axis);
-    const Place at = place_of(particles.position.component(a)[p], nodes.grid().origin()[a],
-                              1 / nodes.grid().spacing()[a], ShapeType::shift);
+    const Place at = place_in_block<ShapeType>(particles.position.component(a)[p], nodes.grid(), a, block);
     stencil.weight[axis] = shape.weights(at.xi);
     for (std::size_t i = 0; i < ShapeType::support; ++i) {
       stencil.node[axis][i] = nodes.place(at.base + static_cast<Index>(i), axis) * nodes.stride(axis);
@@ -81,12 +81,10 @@ void move_to_cut(const ShapeType& shape, const Particles<D, V>& particles, const
     const Index last_base = block.first_cell[axis] + block_edge<D, ShapeType::support>;
     if (cut.base < block.first_cell[axis] - 1 || last_base < cut.base) return;
     const double* const x = particles.position.component(end.axis);
-    const double inverse_spacing = 1 / grid.spacing()[end.axis];
     const double arm = (end.side == Side::low ? 2 : -2) * grid.spacing()[end.axis];
     for (Index p = block.begin; p < block.end; ++p) {
-      if (place_of(x[p], grid.origin()[end.axis], inverse_spacing, ShapeType::shift).base != cut.base)
-        continue;
-      const auto stencil = point_stencil(shape, particles, p, nodes);
+      if (place_in_block<ShapeType>(x[p], grid, end.axis, block).base != cut.base) continue;
+      const auto stencil = point_stencil(shape, particles, p, block, nodes);
       const double moment = arm * stencil.weight[axis][cut.image] * particles.mass.component(0)[p];
       for_each_beside(stencil, axis, [&](double weight, Index node) {
         double* const wall = nodes[node + stencil.node[axis][cut.wall]];

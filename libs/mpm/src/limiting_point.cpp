@@ -22,6 +22,7 @@ std::optional<Index> limiting_point(const Particles<D, V>& particles, const Stre
   for (Index p = 0; p < particles.size(); ++p) {
     if (!(particles.mass.component(0)[p] > 0)) continue;
     const double rate = rate_of(p);
+    if (!std::isfinite(rate)) return p;
     if (rate > largest) {
       largest = rate;
       found = p;

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <scree/grid.hpp>
 #include <scree/index.hpp>
+#include <scree/mpm/particle_blocks.hpp>
 #include <scree/mpm/point_transfer.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace scree::mpm::detail {
 
@@ -17,6 +21,22 @@ struct Place {
   const double along = coordinate(x, origin, inverse_spacing, shift);
   const double base = std::floor(along);
   return {static_cast<Index>(base), along - base + shift};
+}
+
+/// Of a point of a block, with all nodes of its stencil among those that the block can give to: what lies on
+/// the high end of an axis, or a rounding past the block's reach, counts from the last base that has them.
+template <class ShapeType, int D>
+[[nodiscard]] Place place_in_block(double x, const CartesianGrid<D>& grid, int axis,
+                                   const ParticleBlock<D>& block) noexcept {
+  const auto a = static_cast<std::size_t>(axis);
+  const Place at = place_of(x, grid.origin()[axis], 1 / grid.spacing()[axis], ShapeType::shift);
+  const Index first = block.first_cell[a] - 1;
+  Index last = block.first_cell[a] + block_edge<D, ShapeType::support>;
+  if (!grid.is_periodic()[a]) {
+    last = std::min(last, grid.num_cells()[a] + 2 - static_cast<Index>(ShapeType::support));
+  }
+  const Index base = std::clamp(at.base, std::min(first, last), last);
+  return {base, at.xi + static_cast<double>(at.base - base)};
 }
 
 }  // namespace scree::mpm::detail

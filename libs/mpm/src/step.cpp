@@ -7,6 +7,7 @@
 #include <scree/mpm/step.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 namespace scree::mpm {
@@ -93,6 +94,11 @@ State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const
       stages.point_term == nullptr || !detail::has_stress_pass(stages),
       "terms of points, as of flow round an axis, take their stress as they go to the nodes: the order must "
       "be usl, without means over cells");
+  for (const auto& boundary : stages.boundaries) {
+    const std::optional<MeshEnd> end = boundary->cuts_shapes();
+    require(!end || !grid.is_periodic()[static_cast<std::size_t>(end->axis)],
+            "a wall with friction stands on an axis that is periodic");
+  }
   State<D, V> state{std::move(particles), Nodes<D>{grid, stages.transfer->record()}};
   if (stages.node_means) state.nodes.carry(stages.node_means->size());
   const auto masses = state.particles.mass.values();
@@ -112,6 +118,7 @@ template <int D, int V>
 void resume(State<D, V>& state, const Stages<D, V>& stages) {
   state.blocks.edge = stages.transfer->sort_edge();
   colour_blocks(state.blocks, state.nodes.grid());
+  if (stages.node_means) state.nodes.carry(stages.node_means->size());
   use_blocks(state, stages);
 }
 

@@ -8,8 +8,8 @@ namespace scree::mpm {
 
 /// An end of an axis of the mesh.
 struct MeshEnd {
-  int axis;
-  Side side;
+  int axis;   ///< its number
+  Side side;  ///< which end of it
 };
 
 /// What acts on the nodes between scatter and gather.

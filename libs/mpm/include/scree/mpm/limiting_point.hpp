@@ -20,8 +20,10 @@ template <int D, int V>
   return rate;
 }
 
-/// The point that a limit of the step comes from, as points are now; none if it comes from no point. Looked
-/// for when asked, over all points: steps only keep how large the largest rate is.
+/// The point that a limit of the step comes from, as points are now; none if it comes from no point. Of the
+/// acoustic limit it is the one where sound and motion together are fastest: (M17) has the largest of each.
+/// The first point whose rate is no number comes before all. Looked for when asked, over all points: steps
+/// only keep how large the largest rate is.
 /// @see stable_time_step
 template <int D, int V>
 [[nodiscard]] std::optional<Index> limiting_point(const Particles<D, V>& particles,

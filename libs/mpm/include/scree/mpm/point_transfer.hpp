@@ -47,7 +47,7 @@ template <class Real, int D, int V>
 struct Given {
   Real mass;                                          ///< [kg]
   Components<Real, V> momentum;                       ///< [kg m/s]
-  Components<Components<Real, V>, D> momentum_slope;  ///< [kg/s]
+  Components<Components<Real, V>, D> momentum_slope;  ///< [kg/s], [kg m^2/s] if affine
   Components<Components<Real, V>, D> force;           ///< [N m]; times dt if it goes to the momentum
 };
 

@@ -29,7 +29,8 @@ class Transfer {
   /// Nodes along each axis that a block's points can reach, from the one before its first cell on.
   [[nodiscard]] virtual Index tile_edge() const noexcept = 0;
 
-  /// Adds mass, momentum and force (times dt [s]) of a block's points to the nodes.  Eqs. (M1), (M8)-(M10)
+  /// Adds mass, momentum, and force (an impulse over dt [s] unless nodes have increments) of a block's
+  /// points.
   virtual void scatter(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
                        double dt) const noexcept = 0;
 
