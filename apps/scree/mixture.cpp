@@ -85,6 +85,7 @@ void Mixture::follow(const rheology::AnyLaw& any_law, const mpm::Particles<D, V>
   const auto follow_law = [&]<class Law>(const Law& law) {
     if constexpr (rheology::HasLocalYieldFriction<Law>) {
       std::vector<const double*> read;
+      read.reserve(Law::inputs.size());
       for (const InputColumn& input : Law::inputs) {
         read.push_back(particles.column(particles.find_column(input.name, Law::name)).component(0));
       }
