@@ -28,6 +28,8 @@ struct BarWave {
   double courant;  ///< of sound
   Order order = Order::usl;
   int xpic_order = 0;
+  double drift = 0;   ///< of all points through the mesh [spacings per step]
+  double offset = 0;  ///< of all points at first [spacings]
 
   [[nodiscard]] double spacing() const { return 1 / static_cast<double>(num_cells); }
   [[nodiscard]] double wave_number() const { return std::numbers::pi * half_waves; }
@@ -45,14 +47,16 @@ struct PointFamily {
   std::complex<double> strain;
 };
 
-/// What a step makes of a plane wave of small amplitude on points that stay where they are: the step of
-/// docs/equations/mpm.md written for one wave.  Eq. (M85)
+/// What a step makes of a plane wave of small amplitude on points that stay where they are, or all move on
+/// alike: the step of docs/equations/mpm.md written for one wave.  Eqs. (M85), (M192)
 class WaveRecursion {
  public:
   explicit WaveRecursion(const BarWave& wave) : wave_{wave}, phase_{wave.wave_number() * wave.spacing()} {
-    for (std::size_t i = 0; i < BarWave::num_points; ++i) {
-      families_[i] = family((static_cast<double>(i) + 0.5) / BarWave::num_points);
+    for (PointFamily& family : families_) {
+      family.velocity = 1;
+      family.gradient = std::complex<double>{0, phase_};
     }
+    place_families();
   }
 
   void advance() {
@@ -73,9 +77,12 @@ class WaveRecursion {
       family.velocity = share * (family.velocity + family.value * increment) +
                         (1 - share) * family.value * after + filtered[i];
     }
-    if (wave_.order != Order::musl) return;
-    const std::complex<double> mapped = scattered();
-    for (PointFamily& family : families_) family.strain += family.slope * mapped;
+    if (wave_.order == Order::musl) {
+      const std::complex<double> mapped = scattered();
+      for (PointFamily& family : families_) family.strain += family.slope * mapped;
+    }
+    ++num_steps_;
+    if (wave_.drift != 0) place_families();
   }
 
   /// Velocity of a point, its family known from its place [v_0].
@@ -85,10 +92,20 @@ class WaveRecursion {
     return std::imag(families_[i].velocity * std::polar(1.0, wave_.wave_number() * x));
   }
 
-  [[nodiscard]] const std::array<PointFamily, BarWave::num_points>& families() const { return families_; }
+  /// Root mean square over a whole number of periods [v_0].
+  [[nodiscard]] double size() const {
+    double sum = 0;
+    for (const PointFamily& family : families_) sum += std::norm(family.velocity);
+    return std::sqrt(sum / (2 * BarWave::num_points));
+  }
 
  private:
-  [[nodiscard]] bool is_affine() const { return std::holds_alternative<Apic>(wave_.rule); }
+  [[nodiscard]] bool is_affine() const {
+    return std::visit([](const auto& rule) { return rule.has_affine; }, wave_.rule);
+  }
+  [[nodiscard]] bool has_affine_gradient() const {
+    return std::visit([](const auto& rule) { return rule.has_affine_gradient; }, wave_.rule);
+  }
   [[nodiscard]] double share_of_increment() const {
     return std::visit([](const auto& rule) { return rule.increment_share(); }, wave_.rule);
   }
@@ -118,44 +135,49 @@ class WaveRecursion {
     return sum / double{BarWave::num_points};
   }
 
-  [[nodiscard]] PointFamily family(double place) const {
-    return std::visit(
+  void place_families() {
+    for (std::size_t i = 0; i < families_.size(); ++i) {
+      place_family(families_[i], (static_cast<double>(i) + 0.5) / BarWave::num_points + wave_.offset +
+                                     num_steps_ * wave_.drift);
+    }
+  }
+  void place_family(PointFamily& family, double place) const {
+    family.value = family.slope = family.moment = 0;
+    std::visit(
         [&](auto shape) {
           using Shape = decltype(shape);
           const double base = std::floor(place - Shape::shift);
           const double xi = place - base;
           const auto weights = shape.weights(xi);
-          const auto slopes = is_affine() ? shape.affine(xi) : shape.gradients(xi);
-          PointFamily result{};
+          const auto slopes = has_affine_gradient() ? shape.affine(xi) : shape.gradients(xi);
           for (std::size_t j = 0; j < Shape::support; ++j) {
             const double distance = static_cast<double>(j) - xi;
             const std::complex<double> turn = std::polar(1.0, phase_ * distance);
-            result.value += weights[j] * turn;
-            result.slope += slopes[j] * turn;
-            result.moment += weights[j] * distance * turn;
+            family.value += weights[j] * turn;
+            family.slope += slopes[j] * turn;
+            family.moment += weights[j] * distance * turn;
           }
-          result.velocity = 1;
-          result.gradient = std::complex<double>{0, phase_};
-          return result;
         },
         wave_.shape);
   }
 
   BarWave wave_;
   double phase_;  // k h
+  int num_steps_ = 0;
   std::array<PointFamily, BarWave::num_points> families_{};
 };
 
-/// The same wave in the library.
+/// The same wave in the library; one that moves through the mesh goes round a period.
 class BarInTheMesh {
  public:
   explicit BarInTheMesh(const BarWave& wave) : wave_{wave} {
-    const auto grid = cube<1>(wave.num_cells, wave.spacing(), false);
+    const auto grid = cube<1>(wave.num_cells, wave.spacing(), is_moving());
     auto particles = filled<1>(grid, BarWave::num_points, BarWave::solid.density);
     const double k = wave.wave_number();
     for (Index p = 0; p < particles.size(); ++p) {
+      particles.position.component(0)[p] += wave.offset * wave.spacing();
       const double x = particles.position.component(0)[p];
-      particles.velocity.component(0)[p] = unit() * std::sin(k * x);
+      particles.velocity.component(0)[p] = drift() + unit() * std::sin(k * x);
       particles.velocity_gradient.component(0)[p] = unit() * k * std::cos(k * x);
     }
     stages_.stress = std::make_unique<StressUpdateBy<1, 1, NeoHookean>>(BarWave::solid, particles);
@@ -163,7 +185,7 @@ class BarInTheMesh {
     stages_.order = wave.order;
     if (wave.xpic_order > 0) stages_.xpic = make_xpic<1, 1>(wave.shape, wave.xpic_order);
     for (const Side side : {Side::low, Side::high}) {
-      stages_.boundaries.push_back(make_wall<1>(NoSlip{}, 0, side));
+      if (!is_moving()) stages_.boundaries.push_back(make_wall<1>(NoSlip{}, 0, side));
     }
     state_ = std::make_unique<State<1, 1>>(start(std::move(particles), grid, stages_, {1}));
   }
@@ -176,7 +198,7 @@ class BarInTheMesh {
     const auto& particles = state_->particles;
     for (Index p = 0; p < particles.size(); ++p) {
       if (!(particles.mass.component(0)[p] > 0)) continue;
-      visit(particles.position.component(0)[p], particles.velocity.component(0)[p] / unit());
+      visit(particles.position.component(0)[p], (particles.velocity.component(0)[p] - drift()) / unit());
     }
   }
 
@@ -192,7 +214,20 @@ class BarInTheMesh {
     return sum / norm;
   }
 
+  /// Root mean square of v over v_0.
+  [[nodiscard]] double size() const {
+    double sum = 0;
+    double count = 0;
+    for_each_point([&](double /*x*/, double v) {
+      sum += v * v;
+      ++count;
+    });
+    return std::sqrt(sum / count);
+  }
+
  private:
+  [[nodiscard]] bool is_moving() const { return wave_.drift != 0; }
+  [[nodiscard]] double drift() const { return wave_.drift * wave_.spacing() / wave_.dt(); }  // [m/s]
   [[nodiscard]] static double unit() { return BarWave::velocity * BarWave::solid.wave_speed(); }
 
   BarWave wave_;

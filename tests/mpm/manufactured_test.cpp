@@ -75,7 +75,10 @@ constexpr double second_order = 1.9;
 
 TEST(AxisAlignedSwing, ConvergesWithSecondOrderUnderQuadraticShapes) {
   constexpr double amplitude = 0.01;
-  for (const auto& [rule, lag] : {std::pair{AnyTransfer{Apic{}}, 13.0 / 120}, {PicFlip{1}, 1.0 / 4}}) {
+  for (const auto& [rule, lag] : {std::pair{AnyTransfer{Apic{}}, 13.0 / 120},
+                                  {Aflip{1}, 13.0 / 120},
+                                  {Tpic{}, 1.0 / 8},
+                                  {PicFlip{1}, 1.0 / 4}}) {
     const auto errors = manufactured_errors<3>(AxisAlignedSwing{amplitude}, 8, Quadratic{}, rule);
 
     for (std::size_t i = 1; i < 3; ++i) EXPECT_GT(std::log2(errors[i - 1] / errors[i]), second_order);
@@ -85,7 +88,7 @@ TEST(AxisAlignedSwing, ConvergesWithSecondOrderUnderQuadraticShapes) {
 }
 
 TEST(TurningRing, ConvergesWithSecondOrderUnderQuadraticShapes) {
-  for (const AnyTransfer& rule : {AnyTransfer{Apic{}}, AnyTransfer{PicFlip{1}}}) {
+  for (const AnyTransfer& rule : every<AnyTransfer>()) {
     const auto errors = manufactured_errors<2>(TurningRing{0.3}, 16, Quadratic{}, rule);
 
     EXPECT_GT(std::log2(errors[0] / errors[1]), second_order);
