@@ -1,5 +1,6 @@
 // What a person gets wrong in the surroundings of a scene, and what they are told.
 
+#include "scenes.hpp"
 #include "surroundings.hpp"
 
 #include <fmt/format.h>
@@ -27,10 +28,6 @@ template <class Action>
 
 [[nodiscard]] std::string message_on_map(const std::string& terrain, const std::string& material = box) {
   return message_of([&] { static_cast<void>(read_on_map(terrain, material)); });
-}
-
-[[nodiscard]] std::string with(std::string text, const std::string& part, const std::string& instead) {
-  return text.replace(text.find(part), part.size(), instead);
 }
 
 [[nodiscard]] std::string tilted_with(const std::string& part, const std::string& instead) {

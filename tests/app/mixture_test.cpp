@@ -1,6 +1,7 @@
 // What laws read of a mix of grains: columns that follow the fractions of a run.
 
 #include "scenes.hpp"
+#include "scree/restart.hpp"
 #include "scree/simulation.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <utility>
 
 namespace scree::app::testing {
 namespace {
@@ -87,6 +90,30 @@ TEST(CoarseFraction, TakesAPartOfAClassThatItsSizeCuts) {  // Eq. (G23)
 
   for (const double c : column_of(slope, coarse_fraction_column).values()) {
     EXPECT_NEAR(c, 0.25 * 0.4 + 0.4, 8 * round_off);  // four operations of numbers up to 5/2
+  }
+}
+
+/// Who goes on with the points of a run means by its own words what is coarse: a quarter of the middle class
+/// and all of the coarse one, or three quarters.
+TEST(CoarseFraction, IsThatOfTheSceneThatGoesOn) {  // Eq. (G23)
+  const auto file = std::filesystem::path{::testing::TempDir()} / "scree_coarse_fraction.h5";
+  const auto slope_with = [](const std::string& coarse_size) {
+    return slope_of(fine_and_coarse,
+                    "distribution = \"histogram\"\nedges = [1e-3, 2e-3, 4e-3, 5e-3]\nfractions = "
+                    "[0.2, 0.4, 0.4]\ncoarse_size = " +
+                        coarse_size + "\n");
+  };
+  write_checkpoint(simulation_of(slope_with("3.5e-3")), file, "");
+
+  Simulation<1, 2> restarted = simulation_of(slope_with("2.5e-3"));
+  read_checkpoint_into(restarted, file);
+  const Simulation<1, 2> begun = simulation_of(
+      with(slope_with("2.5e-3"), "low = [0.0]\nhigh = [0.75]", "checkpoint = \"" + file.string() + "\""));
+
+  for (const Simulation<1, 2>* slope : {&std::as_const(restarted), &begun}) {
+    for (const double c : column_of(*slope, coarse_fraction_column).values()) {
+      EXPECT_NEAR(c, 0.75 * 0.4 + 0.4, 8 * round_off);  // four operations of numbers up to 5/2
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "run_program.hpp"
 #include "scenes.hpp"
+#include "scree/restart.hpp"
 
 #include <scree/io/frame_reader.hpp>
 
@@ -182,33 +183,39 @@ TEST(Program, FailedRunEndsWithCode3AndKeepsWhatItHad) {
   EXPECT_EQ(text_of(directory / "summary.json").find("\"outcome\": \"failed: "), 4U);
 }
 
+/// A point of 1e308 m/s has more momentum than a number holds. It leaves with those beside it, and all are
+/// absorbed; but no step is short enough after that one.
+TEST(Program, RunWhoseRatesOverflowEndsWithCode3AndItsSummary) {
+  const fs::path directory = fresh("overflow");
+  const std::string run = "run " + scene_file("inclined_plane_column") + " --quiet --set output.every=0.01 " +
+                          "--set boundaries.leaving=absorb --output " + directory.string() +
+                          " --set time.end=";
+  ASSERT_EQ(scree(run + "0.01").exit_code, 0);
+  const fs::path checkpoint = directory / "checkpoint.h5";
+  Simulation<1, 2> column{scene_of("inclined_plane_column"), {1}};
+  read_checkpoint_into(column, checkpoint);
+  auto& particles = column.state.particles;
+  Index middle = 0;
+  while (particles.position.component(0)[middle] < 0.5 || particles.mass.component(0)[middle] == 0) ++middle;
+  particles.velocity.component(0)[middle] = 1e308;
+  write_checkpoint(column, checkpoint, "");
+
+  const Result result = scree(run + "0.02 --restart " + checkpoint.string());
+
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_NE(result.output.find(": stable_time_step: nothing bounds the step; give a maximum\n"),
+            std::string::npos)
+      << result.output;
+  EXPECT_EQ(nlohmann::json::parse(text_of(directory / "summary.json"))["outcome"],
+            "failed: stable_time_step: nothing bounds the step; give a maximum");
+}
+
 /// A stream of 2 x 2 points a cell, 0.1 m long when it begins, that crosses a mesh of 1 m at 1 m/s, without
 /// weight: each point has the same mass, and nothing changes its speed.
-const std::string crossing = R"([mesh]
-dimensions = 2
-size = [1.0, 0.5]
-cells = 10
-[boundaries]
-x_low = "open"
-x_high = "open"
-y_low = "slip"
-y_high = "open"
-leaving = "absorb"
-[gravity]
-magnitude = 0
-[[inflow]]
-low = [0.0, 0.0]
-high = [0.1, 0.1]
-velocity = [1.0, 0.0]
-points_per_cell = 2
-[rheology]
-law = "newtonian"
-viscosity = 1
-bulk_modulus = 1e5
-density = 1000
-[time]
-end = 1.2
-)";
+[[nodiscard]] std::string crossing() {
+  return open_channel() + "[gravity]\nmagnitude = 0\n" + stream_of_1_m_per_s() + fluid_of_streams() +
+         "[time]\nend = 1.2\n";
+}
 
 [[nodiscard]] nlohmann::json summary_of(const std::string& name, const std::string& scene) {
   const fs::path directory = fresh(name);
@@ -234,8 +241,8 @@ void expect_passed(const nlohmann::json& passed, std::int64_t points) {
 /// The first of its layers, 0.025 m apart, begins at 0.0875 m: by 1.2 s twelve have come to 1 m, and sixteen
 /// to a box from 0.9 m on.
 TEST(Program, SummaryHasWhatEnteredWhatWasAbsorbedAndWhatWasTaken) {
-  const auto absorbed = summary_of("absorbed", crossing);
-  const auto taken = summary_of("taken", crossing + "[[outflow]]\nlow = [0.9, 0.0]\nhigh = [1.0, 0.5]\n");
+  const auto absorbed = summary_of("absorbed", crossing());
+  const auto taken = summary_of("taken", crossing() + "[[outflow]]\nlow = [0.9, 0.0]\nhigh = [1.0, 0.5]\n");
 
   expect_passed(absorbed["absorbed"], 4 * 12);
   expect_passed(taken["outflow"][0], 4 * 16);

@@ -12,6 +12,46 @@ namespace scree::app::testing {
   return read_scene(std::string{SCREE_TEST_SCENES} + "/" + name + ".toml", overrides).scene;
 }
 
+/// A text with its first `part` put otherwise.
+[[nodiscard]] inline std::string with(std::string text, const std::string& part, const std::string& instead) {
+  return text.replace(text.find(part), part.size(), instead);
+}
+
+/// Tables of scenes in the plane, one below the other: a channel of 1 m on a smooth floor, open at both ends;
+[[nodiscard]] inline std::string open_channel() {
+  return R"([mesh]
+dimensions = 2
+size = [1.0, 0.5]
+cells = 10
+[boundaries]
+x_low = "open"
+x_high = "open"
+y_low = "slip"
+y_high = "open"
+leaving = "absorb"
+)";
+}
+
+/// a stream that enters it at 1 m/s, 0.1 m deep and at the start as long;
+[[nodiscard]] inline std::string stream_of_1_m_per_s() {
+  return R"([[inflow]]
+low = [0.0, 0.0]
+high = [0.1, 0.1]
+velocity = [1.0, 0.0]
+points_per_cell = 2
+)";
+}
+
+/// and the fluid that it is of.
+[[nodiscard]] inline std::string fluid_of_streams() {
+  return R"([rheology]
+law = "newtonian"
+viscosity = 1
+bulk_modulus = 1e5
+density = 1000
+)";
+}
+
 /// A small scene as text, for tests that spoil it.
 [[nodiscard]] inline std::string small_scene() {
   return R"([mesh]

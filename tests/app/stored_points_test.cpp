@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 
 namespace scree::app::testing {
@@ -24,22 +25,8 @@ namespace fs = std::filesystem;
   return (folder / name).string();
 }
 
-[[nodiscard]] std::string with(std::string text, const std::string& part, const std::string& instead) {
-  return text.replace(text.find(part), part.size(), instead);
-}
-
 /// Grains of two sizes on a steep smooth floor, which they slide along. Steps are the user's.
-const std::string sliding = R"([mesh]
-dimensions = 2
-size = [1.0, 0.5]
-cells = 10
-[boundaries]
-x_low = "slip"
-x_high = "open"
-y_low = "slip"
-y_high = "open"
-leaving = "absorb"
-[material]
+const std::string sliding = with(open_channel(), "x_low = \"open\"", "x_low = \"slip\"") + R"([material]
 low = [0.1, 0.0]
 high = [0.4, 0.2]
 [gravity]
@@ -190,6 +177,28 @@ TEST(BadStoredPoints, OfNoCheckpointAreRefusedAtTheKey) {
             place +
                 "../other/checkpoint.h5\": must lie beside the scene or below it, or be an absolute path: it "
                 "is kept with the results");
+}
+
+/// However it is spelt: a run would write its own over it.
+TEST(BadStoredPoints, OfTheNameOfTheRunsOwnCheckpointAreRefusedAtTheKey) {
+  const fs::path folder = scratch("own");
+  fs::create_directories(folder);
+  static_cast<void>(slid((folder / "checkpoint.h5").string()));
+  const std::string scene = (folder / "scene.toml").string();
+
+  for (const std::string own : {"checkpoint.h5", "./checkpoint.h5"}) {
+    std::ofstream{scene} << from(own);
+    std::string message = "no error";
+    try {
+      static_cast<void>(read_scene(scene, {}));
+    } catch (const InputError& error) {
+      message = error.what();
+    }
+    EXPECT_EQ(message,
+              scene + ":12: [material] checkpoint = \"" + own +
+                  "\": is the name that this run gives its own, which it writes over the copy: rename "
+                  "the file, or put it into a folder");
+  }
 }
 
 /// What says again what the points bring with them.

@@ -14,22 +14,7 @@ namespace {
 
 /// Two streams along a smooth floor, 10 cm deep and of unlike grains, that meet in the middle, where a box
 /// takes what rises.
-const std::string meeting = R"([mesh]
-dimensions = 2
-size = [1.0, 0.5]
-cells = 10
-[boundaries]
-x_low = "open"
-x_high = "open"
-y_low = "slip"
-y_high = "open"
-leaving = "absorb"
-[[inflow]]
-low = [0.0, 0.0]
-high = [0.1, 0.1]
-velocity = [1.0, 0.0]
-points_per_cell = 2
-fractions = [0.25, 0.75]
+const std::string meeting = open_channel() + stream_of_1_m_per_s() + R"(fractions = [0.25, 0.75]
 [[inflow]]
 low = [0.9, 0.0]
 high = [1.0, 0.1]
@@ -40,21 +25,12 @@ stop = 0.5
 [[outflow]]
 low = [0.0, 0.15]
 high = [1.0, 0.5]
-[rheology]
-law = "newtonian"
-viscosity = 1
-bulk_modulus = 1e5
-density = 1000
-[grains]
+)" + fluid_of_streams() + R"([grains]
 diameters = [1e-3, 2e-3]
 fractions = [1.0, 0.0]
 [time]
 end = 2
 )";
-
-[[nodiscard]] std::string with(std::string text, const std::string& part, const std::string& instead) {
-  return text.replace(text.find(part), part.size(), instead);
-}
 
 /// The first stream alone, which runs through to the open end.
 [[nodiscard]] std::string passing() {

@@ -11,6 +11,7 @@
 #include <typed_lists.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -211,7 +212,8 @@ TEST(WallScene, ReadsAColumnOfTheMaterialByItsName) {
 }
 
 /// Fine and coarse grains that rub unlike each other, a layer down a slope over a wall as rough as they are.
-[[nodiscard]] Scene mixed_layer(const std::string& friction, const std::string& segregation) {
+[[nodiscard]] Scene mixed_layer(const std::string& friction, const std::string& segregation,
+                                const std::string& material = "low = [0.0]\nhigh = [0.2]") {
   return parse_scene(R"([mesh]
 dimensions = 1
 velocity_components = 2
@@ -222,8 +224,7 @@ y_low = {law = "material_friction", share = 1)" +
                          friction + R"(}
 y_high = "slip"
 [material]
-low = [0.0]
-high = [0.2]
+)" + material + R"(
 [gravity]
 slope_degrees = 30
 [rheology]
@@ -318,6 +319,44 @@ TEST(MaterialFrictionScene, GoesOnFromACheckpointBitForBit) {
   for (auto* simulation : {&unbroken, &restarted}) run_until(*simulation, 0.2);
 
   EXPECT_EQ(motion_of(unbroken), motion_of(restarted));
+}
+
+/// Layers that go on where another was after 0.1 s: by its checkpoint, and with its points as material.
+[[nodiscard]] std::array<Simulation<1, 2>, 2> gone_on(const Scene& before, const std::string& friction) {
+  const auto file = std::filesystem::path{::testing::TempDir()} / "scree_other_friction.h5";
+  Simulation<1, 2> first{before, {1}};
+  run_until(first, 0.1);
+  write_checkpoint(first, file, "");
+  std::array<Simulation<1, 2>, 2> layers{
+      {{mixed_layer(friction, ""), {1}},
+       {mixed_layer(friction, "", "checkpoint = \"" + file.string() + "\""), {1}}}};
+  read_checkpoint_into(layers[0], file);
+  return layers;
+}
+
+/// What walls read of the material is no state of it. The mix of halves rubs by 0.4, (R76), which the wall
+/// node has to round-off of the mean.
+TEST(MaterialFrictionScene, FollowsAWallThatHadANumber) {
+  for (Simulation<1, 2>& layer : gone_on(mixed_layer(", friction = 0.2", ""), "")) {
+    layer.step();
+
+    EXPECT_NEAR(layer.state.nodes.means(1)[0], 0.4, 100 * round_off);
+  }
+}
+
+TEST(MaterialFrictionScene, IsFollowedByAWallThatHasANumber) {
+  for (Simulation<1, 2>& layer : gone_on(mixed_layer("", ""), ", friction = 0.2")) {
+    EXPECT_FALSE(layer.state.particles.column_named("friction"));
+    const double before = mean_velocity(layer, 1) + 0.2 * mean_velocity(layer, 0);
+    const double moved = layer.clock.moved;
+
+    layer.step();
+
+    const double gained = mean_velocity(layer, 1) + 0.2 * mean_velocity(layer, 0) - before;
+    const double slope = gravity * (std::sin(30 * degree) - 0.2 * std::cos(30 * degree));
+    // A step of about 100 sums, of speeds up to 5 m/s
+    EXPECT_NEAR(gained, (layer.clock.moved - moved) * slope, 100 * 5 * round_off);
+  }
 }
 
 TEST(WallScene, PullsIfTold) {

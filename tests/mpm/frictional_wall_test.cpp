@@ -262,5 +262,18 @@ TEST(FrictionalWall, RefusesAnAxisThatIsNotThere) {
       "make_frictional_wall: no such axis");
 }
 
+/// Beyond an end of it is no image but the other end.
+TEST(FrictionalWall, RefusesAPeriodicAxis) {
+  EXPECT_EQ(message_of<InputError>([] {
+              const auto grid = cube<1>(4, 0.25, true);
+              auto particles = filled<1>(grid, 2);
+              auto stages = stages_of<1, 1>(particles, Quadratic{}, Apic{});
+              stages.boundaries.push_back(
+                  make_frictional_wall<1>(Rough{.friction = 0}, {}, Hold::pushes, 0, Side::high));
+              static_cast<void>(start(std::move(particles), grid, stages, one_thread));
+            }),
+            "a wall with friction stands on an axis that is periodic");
+}
+
 }  // namespace
 }  // namespace scree::mpm
