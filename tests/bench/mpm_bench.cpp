@@ -1,5 +1,8 @@
 #include "../mpm/bodies.hpp"
+#include "../mpm/dry_wall.hpp"
 
+#include <scree/mpm/boundaries/frictional.hpp>
+#include <scree/mpm/boundaries/rigid_body.hpp>
 #include <scree/mpm/carried_cells.hpp>
 #include <scree/mpm/cell_sort.hpp>
 
@@ -19,11 +22,15 @@ namespace {
 using namespace scree;
 using namespace scree::mpm;
 
+/// What material stands on, with dry friction: its own, or one that points carry.
+enum class Base { none, wall, wall_that_reads, body_that_reads };
+
 struct Case {
   Index fill;           ///< cells of material along each axis
   int num_classes = 0;  ///< of grain size
   int threads = 1;
   double share = 1;  ///< of the mesh that is filled, about: more is empty
+  Base base = Base::none;
 };
 
 template <int D>
@@ -82,10 +89,31 @@ class Classes {
   std::vector<double> means_;
 };
 
+/// Lets material that reaches down to the low end of the last axis stand on a base there.
+template <int D>
+void stand(Particles<D>& particles, const AnyShape& shape, Base base, Stages<D, D>& stages) {
+  if (base == Base::none) return;
+  const std::size_t column = particles.add_column({"friction", "mu", "-"}, 1);
+  std::ranges::fill(particles.column(column).values(), 0.5);
+  CarriedInput<Rubs> carried;
+  if (base != Base::wall) {
+    stages.node_means = std::make_unique<NodeMeans<D, D>>(shape);
+    carried.read(0, stages.node_means->add(particles, "friction", Rubs::inputs[0], Rubs::name));
+  }
+  if (base == Base::body_that_reads) {
+    const PlaneSurface<D> floor{Vector<D>::Zero(), Vector<D>::Unit(D - 1)};
+    stages.boundaries.push_back(make_rigid_body<D, Rubs>(Contact<Rubs>{}, floor, RigidMotion<D>{}, 0, {0.5},
+                                                         Symmetry::plane, carried));
+  } else {
+    stages.boundaries.push_back(
+        make_frictional_wall<D>(Rubs{}, {0.5}, Hold::pushes, D - 1, Side::low, Symmetry::plane, carried));
+  }
+}
+
 template <int D>
 void step_of_points(benchmark::State& bench, const AnyShape& shape, const AnyTransfer& rule,
                     const Case& what) {
-  constexpr Index pad = 5;
+  const Index pad = what.base == Base::none ? 5 : 0;
   const double edge = static_cast<double>(what.fill + 2 * pad) / std::pow(what.share, 1.0 / D);
   const double spacing = 1.0 / static_cast<double>(what.fill);
   const auto grid = cube<D>(static_cast<Index>(edge), spacing, false);
@@ -93,7 +121,8 @@ void step_of_points(benchmark::State& bench, const AnyShape& shape, const AnyTra
   const Index num_points = particles.size();
   const Fluid fluid{.bulk_modulus = 4e5, .reference_density = 1000, .viscosity = 0.1};  // sound: 20 m/s
   Classes<D> classes{particles, grid, shape, what.num_classes};
-  const auto stages = stages_of<D, D>(particles, shape, rule, fluid);
+  auto stages = stages_of<D, D>(particles, shape, rule, fluid);
+  stand(particles, shape, what.base, stages);
   const Threads threads{what.threads};
   auto state = start(std::move(particles), grid, stages, threads);
   const double dt = 0.02 * 0.4 * spacing / 20;  // so short that hardly anything changes, but all is computed
@@ -163,6 +192,11 @@ void add_all() {
   add<D>("tpic_quadratic", Quadratic{}, Tpic{}, {.fill = fill});
   add<D>("aflip_quadratic", Quadratic{}, Aflip{1}, {.fill = fill});
   add<D>("flip_linear", Linear{}, PicFlip{1}, {.fill = fill});
+  add<D>("apic_quadratic_wall", Quadratic{}, Apic{}, {.fill = fill, .base = Base::wall});
+  add<D>("apic_quadratic_wall_that_reads", Quadratic{}, Apic{},
+         {.fill = fill, .base = Base::wall_that_reads});
+  add<D>("apic_quadratic_body_that_reads", Quadratic{}, Apic{},
+         {.fill = fill, .base = Base::body_that_reads});
   for (const int count : {2, 8}) {
     for (const Sites sites : {Sites::cells, Sites::nodes}) {
       const std::string name = std::to_string(D) + "D_" + std::to_string(count) + "_classes_" +

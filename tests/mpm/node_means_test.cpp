@@ -1,6 +1,7 @@
 // What points carry, on the nodes that walls hold: the means themselves, and walls whose friction they are.
 
 #include "bodies.hpp"
+#include "dry_wall.hpp"
 #include "messages.hpp"
 #include "rubber.hpp"
 #include "schemes.hpp"
@@ -12,9 +13,13 @@
 #include <scree/mpm/node_means.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numbers>
+#include <span>
+#include <string>
 
 namespace scree::mpm {
 namespace {
@@ -22,29 +27,6 @@ namespace {
 constexpr Threads one_thread{1};
 constexpr double degree = std::numbers::pi / 180;
 constexpr double gravity = 9.81;  // [m/s^2]
-
-/// Dry friction, mu p, with the mu that it reads.
-struct Rubs {
-  static constexpr std::string_view name = "rubs";
-  template <class Real>
-  struct Input {
-    Real friction;
-  };
-  static constexpr std::array<InputColumn, 1> inputs{{{"friction", "-", 0.4}}};
-
-  template <class Real>
-  [[nodiscard]] Real traction(const Real& pressure, const Real& /*speed*/,
-                              const Input<Real>& input) const noexcept {
-    return input.friction * pressure;
-  }
-  template <class Real>
-  [[nodiscard]] Real slowed(const Real& speed, const WallContact<Real>& contact,
-                            const Input<Real>& input) const noexcept {
-    const Real loss = contact.mobility * input.friction * contact.pressure;
-    return select(speed <= loss, Real(0), speed - loss);
-  }
-};
-static_assert(WallLaw<Rubs>);
 
 /// A column of friction, a value for each point by its place.
 template <int D, int V>
@@ -55,6 +37,19 @@ std::size_t rub(Particles<D, V>& particles, const std::function<double(double)>&
   }
   return column;
 }
+
+/// Reads the first mean of every node, and does nothing with it.
+template <int D>
+class ReadsEverywhere final : public Boundary<D> {
+ public:
+  [[nodiscard]] Index num_means() const noexcept override { return 1; }
+  void mark_read(const Nodes<D>& /*nodes*/, std::span<std::uint8_t> is_read) const noexcept override {
+    std::ranges::fill(is_read, std::uint8_t{1});
+  }
+  void fold(Nodes<D>& /*nodes*/) const noexcept override {}
+  void hold(Nodes<D>& /*nodes*/, double /*dt*/) const noexcept override {}
+  void reflect(Nodes<D>& /*nodes*/) const noexcept override {}
+};
 
 /// The means of the column `friction` on all nodes of a mesh.
 template <int D>
@@ -68,8 +63,11 @@ struct Carried {
     const auto blocks =
         cell_sort(particles, grid, transfer->stencil_shift(), one_thread, transfer->sort_edge());
     for (const auto& block : blocks.blocks) transfer->scatter(particles, block, nodes, 0);
+    std::array<std::unique_ptr<Boundary<D>>, 1> reader{std::make_unique<ReadsEverywhere<D>>()};
+    ReadNodes<D> read;
+    read.find(reader, nodes, blocks, transfer->tile_edge());
     std::vector<Extremes> memory;
-    means.bring(particles, blocks, nodes, memory, one_thread);
+    means.bring(particles, blocks, read, nodes, memory, one_thread);
   }
   Particles<D> particles;
   Nodes<D> nodes;
@@ -301,7 +299,8 @@ TEST(CarriedFriction, OfAWallIsThatOfTheMean) {
   }
 }
 
-void expect_same_bits(const Particles<2>& a, const Particles<2>& b) {
+template <int D>
+void expect_same_bits(const Particles<D>& a, const Particles<D>& b) {
   std::vector<const Column*> columns;
   a.for_each_column([&](const Column& column) { columns.push_back(&column); });
   std::size_t i = 0;
@@ -365,6 +364,99 @@ TEST(CarriedFriction, HasTheSameBitsForAnyNumberOfThreads) {
     }
     expect_same_bits(one.particles, many.particles);
   }
+}
+
+/// A body of any form, which goes on along each axis and, where it can, turns.
+template <int D>
+[[nodiscard]] std::unique_ptr<Boundary<D>> moving_ball(const CarriedInput<Rubs>& carried) {
+  const BallSurface<D> ball{Vector<D>::Constant(0.3), 0.22, BallSurface<D>::Material::outside};
+  RigidMotion<D> motion;
+  motion.pivot = Vector<D>::Constant(0.2);
+  motion.place = [](double time) { return Vector<D>{Vector<D>::Constant(0.2 + 0.5 * time)}; };
+  if (D > 1) motion.angle = [](double time) { return time; };
+  return make_rigid_body<D, Rubs>(Contact<Rubs>{}, ball, motion, 0, {0}, Symmetry::plane, carried);
+}
+
+/// Only blocks that give to nodes that are read are visited: points then move as if all were.
+template <int D>
+void expect_the_bits_of_means_everywhere(const AnyShape& shape) {
+  const auto grid = cube<D>(D == 1 ? 96 : 24, 0.1, false);
+  const auto run = [&](bool reads_everywhere) {
+    auto particles = scattered<D>(grid, D == 3 ? 20000 : 4000, 0);
+    fill_at_random(particles.velocity, 1.0);
+    rub(particles, [](double x) { return 0.5 + 0.4 * std::sin(7 * x); });
+    auto stages = stages_of<D, D>(particles, shape, Apic{}, {1e5, 1000, 2});
+    stages.node_means = std::make_unique<NodeMeans<D, D>>(shape);
+    CarriedInput<Rubs> carried;
+    carried.read(0, stages.node_means->add(particles, "friction", Rubs::inputs[0], Rubs::name));
+    stages.leaving = Leaving::reflect;
+    stages.boundaries.push_back(moving_ball<D>(carried));
+    stages.boundaries.push_back(
+        make_frictional_wall<D>(Rubs{}, {0}, Hold::pushes, D - 1, Side::low, Symmetry::plane, carried));
+    if (reads_everywhere) stages.boundaries.push_back(std::make_unique<ReadsEverywhere<D>>());
+    auto state = start(std::move(particles), grid, stages, one_thread);
+    for (int n = 0; n < 12; ++n) step(state, stages, 1e-3, one_thread);
+    return state;
+  };
+  const State<D, D> few = run(false);
+  const State<D, D> all = run(true);
+
+  const auto num_visited = [](const State<D, D>& state) {
+    std::size_t count = 0;
+    for (const auto& colour : state.read.colours()) count += colour.size();
+    return count;
+  };
+  EXPECT_EQ(num_visited(all), all.blocks.blocks.size());
+  EXPECT_LT(num_visited(few), all.blocks.blocks.size());
+  ASSERT_GT(few.read.nodes().size(), 0U);
+  for (const Index n : few.read.nodes()) EXPECT_EQ(few.nodes.means(n)[0], all.nodes.means(n)[0]);
+  expect_same_bits(few.particles, all.particles);
+}
+
+TEST(CarriedFriction, HasTheBitsOfMeansAtAllNodes) {
+  for (const AnyShape& shape : {AnyShape{Linear{}}, AnyShape{Quadratic{}}, AnyShape{Cubic{}}}) {
+    expect_the_bits_of_means_everywhere<1>(shape);
+    expect_the_bits_of_means_everywhere<2>(shape);
+  }
+  expect_the_bits_of_means_everywhere<3>(Quadratic{});
+}
+
+/// Blocks of 8 x 8 cells, of which the first begins one before the mesh, so that 17 x 5 have points of 128 x
+/// 32 cells. The lowest row reaches the wall; the next, from cell 7 on, down to node 6.
+TEST(ReadNodes, OfAWallAreGivenToByTheBlocksBesideIt) {
+  const CartesianGrid<2> grid{Vector<2>::Zero(), Vector<2>{0.1, 0.1}, {128, 32}, {true, false}};
+  auto particles = filled<2>(grid, 2);
+  rub(particles, [](double) { return 0.5; });
+  auto stages = stages_of<2, 2>(particles, Linear{}, Apic{}, {1e5, 1000, 2});
+  stages.node_means = std::make_unique<NodeMeans<2, 2>>(Linear{});
+  CarriedInput<Rubs> carried;
+  carried.read(0, stages.node_means->add(particles, "friction", Rubs::inputs[0], Rubs::name));
+  stages.boundaries.push_back(
+      make_frictional_wall<2>(Rubs{}, {0}, Hold::pushes, 1, Side::low, Symmetry::plane, carried));
+
+  const auto state = start(std::move(particles), grid, stages, one_thread);
+
+  EXPECT_EQ(state.blocks.blocks.size(), 17U * 5);
+  std::size_t num_visited = 0;
+  for (const auto& colour : state.read.colours()) num_visited += colour.size();
+  EXPECT_EQ(num_visited, 17U);
+  ASSERT_EQ(state.read.nodes().size(), 128U);
+  for (const Index n : state.read.nodes()) EXPECT_EQ(n / state.nodes.stride(1), 1);  // past the images
+}
+
+TEST(CarriedFriction, IsRefusedWithoutTheMeansThatItReads) {
+  TwoBlocks blocks{every_base()[0], 0.5};
+  const std::string message =
+      "a boundary reads 1 means of what points carry, but the stages bring 0 to the nodes: "
+      "Stages::node_means "
+      "must be those that gave it their places";
+  blocks.stages.node_means = nullptr;
+
+  const auto anew = [&] {
+    static_cast<void>(start(blocks.state->particles, blocks.state->nodes.grid(), blocks.stages, one_thread));
+  };
+  EXPECT_EQ(message_of<InputError>(anew), message);
+  EXPECT_EQ(message_of<InputError>([&] { resume(*blocks.state, blocks.stages); }), message);
 }
 
 TEST(CarriedFriction, IsReadOnWhenARunGoesOn) {

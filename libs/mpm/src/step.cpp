@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
+#include <string>
 
 namespace scree::mpm {
 
@@ -19,14 +20,28 @@ template <int D, int V>
 void use_blocks(State<D, V>& state, const Stages<D, V>& stages) {
   state.block_results.resize(state.blocks.blocks.size());
   state.needs_sort = false;
-  if (stages.node_solve) return;  // which may move any node
-  std::vector<Indices<D>> corners;
-  corners.reserve(state.blocks.blocks.size());
-  for (const ParticleBlock<D>& block : state.blocks.blocks) {
-    corners.push_back(block.first_cell);
-    for (Index& node : corners.back()) --node;
+  if (!stages.node_solve) {  // which may move any node
+    std::vector<Indices<D>> corners;
+    corners.reserve(state.blocks.blocks.size());
+    for (const ParticleBlock<D>& block : state.blocks.blocks) {
+      corners.push_back(block.first_cell);
+      for (Index& node : corners.back()) --node;
+    }
+    state.nodes.use(corners, stages.transfer->tile_edge());
   }
-  state.nodes.use(corners, stages.transfer->tile_edge());
+  if (stages.node_means) detail::find_read(state, stages);
+}
+
+/// @throws InputError if a boundary reads what no stage brings.  Eq. (M170)
+template <int D, int V>
+void require_means(const Stages<D, V>& stages) {
+  const Index num_means = stages.node_means ? stages.node_means->size() : 0;
+  for (const auto& boundary : stages.boundaries) {
+    require(boundary->num_means() <= num_means,
+            "a boundary reads " + std::to_string(boundary->num_means()) +
+                " means of what points carry, but the stages bring " + std::to_string(num_means) +
+                " to the nodes: Stages::node_means must be those that gave it their places");
+  }
 }
 
 }  // namespace
@@ -99,6 +114,7 @@ State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const
     require(!end || !grid.is_periodic()[static_cast<std::size_t>(end->axis)],
             "a wall with friction stands on an axis that is periodic");
   }
+  require_means(stages);
   State<D, V> state{std::move(particles), Nodes<D>{grid, stages.transfer->record()}};
   if (stages.node_means) state.nodes.carry(stages.node_means->size());
   const auto masses = state.particles.mass.values();
@@ -116,6 +132,7 @@ State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const
 
 template <int D, int V>
 void resume(State<D, V>& state, const Stages<D, V>& stages) {
+  require_means(stages);
   state.blocks.edge = stages.transfer->sort_edge();
   colour_blocks(state.blocks, state.nodes.grid());
   if (stages.node_means) state.nodes.carry(stages.node_means->size());

@@ -75,12 +75,23 @@ void scatter(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads 
   });
 }
 
+/// Where boundaries read of points, as they stand.
+template <int D, int V>
+void find_read(State<D, V>& state, const Stages<D, V>& stages) {
+  state.read.find(stages.boundaries, state.nodes, state.blocks, stages.transfer->tile_edge());
+}
+
 /// What boundaries read of points, for all of the step: as the points begin it.  Eq. (M170)
 template <int D, int V>
 void bring_means(State<D, V>& state, const Stages<D, V>& stages, Threads threads) {
   if (!stages.node_means) return;
   const Stopwatch watch{state.seconds.nodes};
-  stages.node_means->bring(state.particles, state.blocks, state.nodes, state.spare.extremes, threads);
+  const auto moves = [](const auto& boundary) {
+    return boundary->num_means() > 0 && boundary->reads_elsewhere();
+  };
+  if (std::ranges::any_of(stages.boundaries, moves)) find_read(state, stages);
+  stages.node_means->bring(state.particles, state.blocks, state.read, state.nodes, state.spare.extremes,
+                           threads);
 }
 
 template <int D, int V>

@@ -2,7 +2,9 @@
 
 #include <scree/mpm/nodes.hpp>
 
+#include <cstdint>
 #include <optional>
+#include <span>
 
 namespace scree::mpm {
 
@@ -24,6 +26,13 @@ class Boundary {
   /// The end where `fold` cuts shape functions off, if it does: what points gave to images there is then put
   /// right beforehand, so that it comes home with the velocity of the place where it comes.  Eq. (M183)
   [[nodiscard]] virtual std::optional<MeshEnd> cuts_shapes() const noexcept { return std::nullopt; }
+  /// How many means of what points carry it needs at its nodes: one past the last that it reads, 0 if none.
+  /// A run with such a boundary has `NodeMeans`, which bring them.  Eq. (M170)
+  [[nodiscard]] virtual Index num_means() const noexcept { return 0; }
+  /// Marks all nodes in use that it may read means of now.  @param is_read one for each node
+  virtual void mark_read(const Nodes<D>& /*nodes*/, std::span<std::uint8_t> /*is_read*/) const noexcept {}
+  /// Whether it may read those of other nodes in the next step.
+  [[nodiscard]] virtual bool reads_elsewhere() const noexcept { return false; }
   /// Before momentum is advanced: brings home what points gave to nodes outside.
   virtual void fold(Nodes<D>& nodes) const noexcept = 0;
   /// After it: sets the velocities that the boundary prescribes.  @param dt the step [s]

@@ -5,6 +5,7 @@
 #include <scree/mpm/nodes.hpp>
 #include <scree/mpm/particle_blocks.hpp>
 #include <scree/mpm/particles.hpp>
+#include <scree/mpm/read_nodes.hpp>
 #include <scree/mpm/shapes.hpp>
 
 #include <cstddef>
@@ -44,11 +45,13 @@ class NodeMeans {
   /// @throws InputError as require_in_range() does.
   void require_inputs(const Particles<D, V>& particles) const;
 
-  /// Brings the means to the nodes in use; zero where there is no mass.
-  /// @param nodes that carry size() means  @param blocks of the points, none of which has left its block's
-  /// reach  @param extremes working memory: more is taken only when there are more blocks
-  void bring(const Particles<D, V>& particles, const ParticleBlocks<D>& blocks, Nodes<D>& nodes,
-             std::vector<Extremes>& extremes, Threads threads) const;
+  /// Brings the means to the nodes that are read; zero where there is no mass. What others have is of no use.
+  /// @param blocks of the points, none of which has left its block's reach  @param read found for these
+  /// blocks
+  /// @param nodes that carry size() means
+  /// @param extremes working memory: more is taken only when there are more blocks
+  void bring(const Particles<D, V>& particles, const ParticleBlocks<D>& blocks, const ReadNodes<D>& read,
+             Nodes<D>& nodes, std::vector<Extremes>& extremes, Threads threads) const;
 
  private:
   struct Reader {

@@ -17,6 +17,15 @@ struct ParticleBlock {
   Index end = 0;            ///< one past the last point
 };
 
+/// Calls body(block index) for every block of a list, colour after colour.
+template <class Body>
+void for_each_coloured(const std::vector<std::vector<Index>>& colours, Threads threads, Body&& body) {
+  for (const auto& colour : colours) {
+    for_each_block(static_cast<Index>(colour.size()), threads,
+                   [&](Index i) { body(colour[static_cast<std::size_t>(i)]); });
+  }
+}
+
 /// The occupied blocks, and their colours: blocks of one colour touch no common node, so threads may take
 /// them at the same time; colours are worked through in order, so sums have the same bits for any number of
 /// threads.
@@ -29,10 +38,7 @@ struct ParticleBlocks {
   /// Calls body(block index) for every block, colour after colour.
   template <class Body>
   void for_each_coloured(Threads threads, Body&& body) const {
-    for (const auto& colour : colours) {
-      for_each_block(static_cast<Index>(colour.size()), threads,
-                     [&](Index i) { body(colour[static_cast<std::size_t>(i)]); });
-    }
+    mpm::for_each_coloured(colours, threads, body);
   }
 
   /// Calls body(block index) for every block, in any order.

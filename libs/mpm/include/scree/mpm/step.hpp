@@ -7,6 +7,7 @@
 #include <scree/mpm/node_solve.hpp>
 #include <scree/mpm/order.hpp>
 #include <scree/mpm/point_term.hpp>
+#include <scree/mpm/read_nodes.hpp>
 #include <scree/mpm/stress_update.hpp>
 #include <scree/mpm/time_step.hpp>
 #include <scree/mpm/transfer.hpp>
@@ -83,18 +84,21 @@ struct State {
   Passed<V> absorbed;                      ///< what has left the mesh so far
   Spare spare;
   CellMeans<D> means;
+  ReadNodes<D> read;  ///< where boundaries read points
   PhaseSeconds seconds;
 };
 
 /// Sorts new points, and finds what bounds the first step.
 /// @throws RunError naming a point outside the mesh.
-/// @throws InputError if there is no point, or the filter of velocities does not suit the transfer.
+/// @throws InputError if there is no point, the filter of velocities does not suit the transfer, or a
+/// boundary reads more of the points than the stages bring to the nodes.
 template <int D, int V>
 [[nodiscard]] State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid,
                                 const Stages<D, V>& stages, Threads threads);
 
 /// Goes on with points and blocks that were sorted before, for instance read from a checkpoint: colours the
 /// blocks, and puts the nodes around them to use.
+/// @throws InputError if a boundary reads more of the points than the stages bring to the nodes.
 template <int D, int V>
 void resume(State<D, V>& state, const Stages<D, V>& stages);
 

@@ -24,6 +24,12 @@ class Bed final : public Boundary<D> {
       const CarriedInput<Law>& carried)
       : contact_{contact}, nodes_{std::move(nodes)}, inputs_{std::move(inputs)}, carried_{carried} {}
 
+  [[nodiscard]] Index num_means() const noexcept override { return carried_.num_means(); }
+
+  void mark_read(const Nodes<D>& /*nodes*/, std::span<std::uint8_t> is_read) const noexcept override {
+    for (const BedNode& bed : nodes_) is_read[static_cast<std::size_t>(bed.node)] = 1;
+  }
+
   void fold(Nodes<D>& /*nodes*/) const noexcept override {}
 
   void hold(Nodes<D>& nodes, double dt) const noexcept override {

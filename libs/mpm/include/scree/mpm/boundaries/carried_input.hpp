@@ -1,7 +1,10 @@
 #pragma once
 
+#include <scree/error.hpp>
+#include <scree/index.hpp>
 #include <scree/wall_law.hpp>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -9,7 +12,8 @@
 namespace scree::mpm {
 
 /// Which of the numbers that the law of a wall reads are means of what points carry; the others are the
-/// wall's own.  @see Eq. (M170)
+/// wall's own. A run in which any is read needs `Stages::node_means`, which gave the places.
+/// @see Eq. (M170)
 template <WallLaw Law>
 class CarriedInput {
  public:
@@ -22,14 +26,24 @@ class CarriedInput {
   /// Input number `input` of the law is the mean in a place that `NodeMeans` gave.
   constexpr void read(std::size_t input, std::size_t place) noexcept { places_[input] = place; }
 
-  /// What the law reads at a node.  @param means of the node; not looked at if nothing is carried
+  /// How many means a node must have for it: one past the last that is read; 0 if nothing is carried.
+  [[nodiscard]] constexpr Index num_means() const noexcept {
+    std::size_t count = 0;
+    for (const std::size_t place : places_) count = place == own ? count : std::max(count, place + 1);
+    return static_cast<Index>(count);
+  }
+
+  /// What the law reads at a node.  @param means num_means() of them or more; not looked at if nothing is
+  /// carried
   [[nodiscard]] Input at(const Input& of_wall, const double* means) const noexcept {
     if constexpr (num_inputs == 0) {
       return of_wall;
     } else {
       auto numbers = std::bit_cast<std::array<double, num_inputs>>(of_wall);
       for (std::size_t i = 0; i < num_inputs; ++i) {
-        if (places_[i] != own) numbers[i] = means[places_[i]];
+        if (places_[i] == own) continue;
+        SCREE_ASSERT(means != nullptr);
+        numbers[i] = means[places_[i]];
       }
       return std::bit_cast<Input>(numbers);
     }

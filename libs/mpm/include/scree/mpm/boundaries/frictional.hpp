@@ -35,6 +35,15 @@ class FrictionalWall final : public Boundary<D> {
     return MeshEnd{static_cast<int>(axis_), side_};
   }
 
+  [[nodiscard]] Index num_means() const noexcept override { return carried_.num_means(); }
+
+  void mark_read(const Nodes<D>& nodes, std::span<std::uint8_t> is_read) const noexcept override {
+    const Index inward = side_ == Side::low ? nodes.stride(axis_) : -nodes.stride(axis_);
+    for (const Index image : nodes.images(axis_, side_)) {
+      is_read[static_cast<std::size_t>(image + inward)] = 1;
+    }
+  }
+
   void fold(Nodes<D>& nodes) const noexcept override {
     const int num_values = nodes.record().size();
     for_each_wall_line(nodes, axis_, side_,

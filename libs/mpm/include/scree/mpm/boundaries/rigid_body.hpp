@@ -31,6 +31,22 @@ class RigidBody final : public Boundary<D> {
         time_{start_time},
         symmetry_{symmetry} {}
 
+  [[nodiscard]] Index num_means() const noexcept override { return carried_.num_means(); }
+
+  void mark_read(const Nodes<D>& nodes, std::span<std::uint8_t> is_read) const noexcept override {
+    const Pose<D> now = pose_at(motion_, time_);
+    for (Index batch = 0; batch < nodes.num_batches(); ++batch) {
+      for (const NodeRun& run : nodes.batch(batch)) {
+        for (Index n = run.begin; n < run.end; ++n) {
+          if (seen_from(nodes, now, node_position(nodes, n)).is_held)
+            is_read[static_cast<std::size_t>(n)] = 1;
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] bool reads_elsewhere() const noexcept override { return motion_.place || motion_.angle; }
+
   void fold(Nodes<D>& /*nodes*/) const noexcept override {}
 
   void hold(Nodes<D>& nodes, double dt) const noexcept override {
@@ -42,17 +58,14 @@ class RigidBody final : public Boundary<D> {
       double* node = nodes[n];
       if (!(node[NodeRecord::mass] > 0)) continue;
       const Vector<D> x = node_position(nodes, n);
-      const Vector<D> body = now.in_body(x);
-      const FromSurface<D> seen = shape_(body);
-      const Vector<D> normal = now.turn * seen.normal;
-      const double reach = normal.cwiseAbs().dot(nodes.grid().spacing());
-      if (!(seen.distance < reach)) continue;
-      const double depth = depth_at(symmetry_, nodes.grid(), Vector<D>{x - seen.distance * normal});
-      const double share = std::max(depth * (1 - std::abs(seen.distance) / reach), least_area_share);
-      const double mobility = dt * share * volume / reach / node[NodeRecord::mass];
-      const Vector<3> wall = embedded((next.in_space(body) - x) / dt);
+      const Seen seen = seen_from(nodes, now, x);
+      if (!seen.is_held) continue;
+      const double depth = depth_at(symmetry_, nodes.grid(), Vector<D>{x - seen.distance * seen.normal});
+      const double share = std::max(depth * (1 - std::abs(seen.distance) / seen.reach), least_area_share);
+      const double mobility = dt * share * volume / seen.reach / node[NodeRecord::mass];
+      const Vector<3> wall = embedded((next.in_space(now.in_body(x)) - x) / dt);
       change_velocity(layout, node, [&](const Vector<3>& velocity) -> Vector<3> {
-        return wall + contact_.left(velocity - wall, embedded(normal), mobility,
+        return wall + contact_.left(velocity - wall, embedded(seen.normal), mobility,
                                     carried_.at(input_, nodes.means(n)));
       });
     }
@@ -62,6 +75,20 @@ class RigidBody final : public Boundary<D> {
   void advance(double dt) noexcept override { time_ += dt; }
 
  private:
+  /// The body as seen from a node.
+  struct Seen {
+    double distance;   ///< [m]
+    Vector<D> normal;  ///< in space
+    double reach;      ///< of the node's hat function along the normal [m]
+    bool is_held;      ///< whether the node feels its pressure  @see Eq. (M61)
+  };
+  [[nodiscard]] Seen seen_from(const Nodes<D>& nodes, const Pose<D>& now, const Vector<D>& x) const noexcept {
+    const FromSurface<D> seen = shape_(now.in_body(x));
+    const Vector<D> normal = now.turn * seen.normal;
+    const double reach = normal.cwiseAbs().dot(nodes.grid().spacing());
+    return {seen.distance, normal, reach, seen.distance < reach};
+  }
+
   [[nodiscard]] static Vector<3> embedded(const Vector<D>& v) noexcept {
     Vector<3> result = Vector<3>::Zero();
     result.template head<D>() = v;
