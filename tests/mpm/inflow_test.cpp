@@ -1,3 +1,4 @@
+#include "dry_wall.hpp"
 #include "messages.hpp"
 #include "streams.hpp"
 
@@ -6,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -284,6 +286,26 @@ TEST(Inflow, RefusesALayerWithoutTheColumnsOfTheRun) {
 
   EXPECT_EQ(message_of<InputError>([&] { jet.advance(4, jet_dt); }),
             "append: the points that are added lack the column 'label' in its place");
+}
+
+TEST(Inflow, RefusesALayerThatAWallCannotRead) {
+  Passage<2> jet{jet_stream(), jet_grid(), jet_end(), Linear{}, Apic{}};
+  const auto rub = [](Particles<2>& particles, double friction) {
+    std::ranges::fill(particles.column(particles.add_column({"friction", "mu", "-"}, 1)).values(), friction);
+  };
+  rub(jet.state->particles, 0.5);
+  jet.stages.node_means = std::make_unique<NodeMeans<2, 2>>(Linear{});
+  jet.stages.node_means->add(jet.state->particles, "friction", Rubs::inputs[0], Rubs::name);
+  auto layer = first_layer(jet_stream(), jet_grid());
+  rub(layer, 0);
+  Inflow<2, 2> inflow{jet_stream(), jet_grid(), layer};
+  const Index num_points = jet.state->particles.size();
+
+  EXPECT_EQ(message_of<InputError>([&] { take_in(*jet.state, jet.stages, inflow, 1, {1}); }),
+            "the law 'rubs' reads friction = 0 of material point 0 at (0.140625, 0.390625) m: must be finite "
+            "and above 0");
+  EXPECT_EQ(jet.state->particles.size(), num_points);
+  EXPECT_EQ(inflow.num_layers(), 0);
 }
 
 }  // namespace

@@ -222,6 +222,9 @@ bool take_in(State<D, V>& state, const Stages<D, V>& stages, Inflow<D, V>& inflo
              Threads threads) {
   const Index num_due = inflow.num_due(time);
   if (num_due == 0) return false;
+  require_columns(state.particles, inflow.layer());
+  stages.stress->require_inputs(inflow.layer());
+  if (stages.node_means) stages.node_means->require_inputs(inflow.layer());
   for (Index layer = 0; layer < num_due; ++layer) {
     Particles<D, V> points = inflow.next(time);
     for (double& id : points.id.values()) id = state.next_id++;

@@ -76,7 +76,9 @@ class Inflow {
 };
 
 /// Between steps: adds to a run the layers that have entered by `time` [s], numbers their points, and sorts.
-/// @returns whether there were any.  @throws InputError as append() does.
+/// @returns whether there were any.
+/// @throws InputError as append() does, and if what laws read of a layer is out of their range: then none has
+/// been added.
 template <int D, int V>
 bool take_in(State<D, V>& state, const Stages<D, V>& stages, Inflow<D, V>& inflow, double time,
              Threads threads);
