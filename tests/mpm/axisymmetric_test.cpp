@@ -13,8 +13,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <string>
 
 namespace scree::mpm {
 namespace {
@@ -368,6 +371,54 @@ TEST(Axisymmetric, RefusesWallsOnTheAxisAndBodiesThatTurn) {
                   RigidMotion<2>{.angle = [](double t) { return t; }}, 0, {}, Symmetry::axial));
             }),
             "make_rigid_body: a body that turns does not stay one of revolution");
+}
+
+/// What a body does that moves as told; "" if it is taken.
+[[nodiscard]] std::string fault_of_motion(const std::function<Vector<2>(double)>& place) {
+  const RigidMotion<2> motion{.place = place};
+  try {
+    check_axial(motion, 0);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Axisymmetric, RefusesBodiesThatMoveAlongTheRadius) {
+  const auto make = [](Symmetry symmetry) {
+    static_cast<void>(make_rigid_body<2>(Contact<Oil>{Oil{1}},
+                                         AnySurface<2>{PlaneSurface<2>{Vector<2>{0, 0}, Vector<2>{0, 1}}},
+                                         RigidMotion<2>{.place =
+                                                            [](double t) {
+                                                              return Vector<2>{1 + t, 2};
+                                                            }},
+                                         0, {}, symmetry));
+  };
+  const std::string message =
+      "make_rigid_body: a body that moves along the radius does not stay one of revolution: its pivot goes "
+      "from ";
+  const auto late = [](double t) { return std::max(t - 5, 0.0); };  // at rest at first, as a scene may say
+
+  make(Symmetry::plane);
+  EXPECT_EQ(message_of<InputError>([&] { make(Symmetry::axial); }),
+            message + "1.000000 m to 1.000001 m by 0.000001 s");
+  EXPECT_EQ(fault_of_motion([&](double t) {
+              return Vector<2>{1 - 0.5 * late(t), t};
+            }),
+            message + "1.000000 m to -0.500000 m by 8.000000 s");
+  EXPECT_EQ(fault_of_motion([](double t) {
+              return Vector<2>{t > 0 ? std::nan("") : 1, t};
+            }),
+            message + "1.000000 m to nan m by 0.000001 s");
+  EXPECT_EQ(fault_of_motion([](double t) { return Vector<2>{1, 2 - t}; }), "");
+  EXPECT_EQ(fault_of_motion([](double t) { return Vector<2>{1 + 16 * round_off * std::sin(t), t}; }), "");
+}
+
+/// Where that fails: a push that is over within two looks.
+TEST(Axisymmetric, DoesNotSeeABodyMoveAlongTheRadiusAndBackBetweenTwoLooks) {
+  const auto push = [](double t) { return 4 < t && t < 8 ? 0.1 : 0.0; };
+
+  EXPECT_EQ(fault_of_motion([&](double t) { return Vector<2>{1 + push(t), 0}; }), "");
 }
 
 TEST(Axisymmetric, RefusesWhatHasNoAxis) {

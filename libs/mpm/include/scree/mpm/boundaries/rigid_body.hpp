@@ -106,15 +106,14 @@ class RigidBody final : public Boundary<D> {
 
 /// @param input what the law reads, but for what is `carried` by the points there
 /// @throws InputError if the motion's axis is none, or the body does not stay one of revolution round an axis
-///   of symmetry.
+///   of symmetry, as check_axial() sees it.
 template <int D, WallLaw Law>
 [[nodiscard]] std::unique_ptr<Boundary<D>> make_rigid_body(
     const Contact<Law>& contact, AnySurface<D> shape, RigidMotion<D> motion, double start_time = 0,
     const typename Law::template Input<double>& input = {}, Symmetry symmetry = Symmetry::plane,
     const CarriedInput<Law>& carried = {}) {
   check(motion);
-  require(symmetry == Symmetry::plane || !motion.angle,
-          "make_rigid_body: a body that turns does not stay one of revolution");
+  if (symmetry == Symmetry::axial) check_axial(motion, start_time);
   return std::make_unique<RigidBody<D, Law>>(contact, input, carried, std::move(shape), std::move(motion),
                                              start_time, symmetry);
 }
