@@ -5,6 +5,9 @@
 #include <scree/io/bounds.hpp>
 #include <scree/mpm/axisymmetric.hpp>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -99,20 +102,38 @@ void Coupling<D, V>::require_few_substeps(double dt) {
   constexpr double most = 1e5;  // [-], many times what any flow needs whose velocities make sense
   const double stable = segregation_.stable_time_step(masses_, drive_, old_fractions_);
   if (dt <= most * stable) return;
-  throw RunError{"segregation is so fast that its stable step has fallen to " + io::to_text(stable) +
-                 " s: the run has become unstable; use a smaller share of the limits ([numerics])"};
+  throw RunError{fmt::format(
+      "segregation is so fast that its stable step has fallen to {} s, at ({:.6g}) m: the run has become "
+      "unstable; use a smaller share of the limits ([numerics])",
+      io::to_text(stable), fmt::join(limit()->position, ", "))};
+}
+
+template <int D, int V>
+std::optional<SegregationLimit<D>> Coupling<D, V>::limit() {
+  const auto site = segregation_.limiting_site(masses_, drive_, old_fractions_);
+  if (!site) return std::nullopt;
+  const Lattice<D>& lattice = cells_.lattice();
+  return SegregationLimit<D>{segregation_.stable_time_step(masses_, drive_, old_fractions_),
+                             lattice.position(lattice.site(*site))};
+}
+
+template <int D, int V>
+std::optional<SegregationLimit<D>> Coupling<D, V>::last_limit() {
+  return has_advanced_ ? limit() : std::nullopt;
 }
 
 template <int D, int V>
 grainsize::SegregationReport Coupling<D, V>::advance(mpm::State<D, V>& state, double dt) {
   mpm::Particles<D, V>& particles = state.particles;
   mpm::Column& fractions = particles.column(particles.find_column(fraction_column, "segregation"));
+  has_advanced_ = false;
   drive_of_points(particles);
   to_sites(state, fractions);
   require_few_substeps(dt);
   new_fractions_ = old_fractions_;
   const auto report = segregation_.advance(masses_, drive_, new_fractions_, dt);
   cells_.to_points(state.blocks, particles, fractions, old_fractions_, new_fractions_, map_, threads_);
+  has_advanced_ = true;
   return report;
 }
 

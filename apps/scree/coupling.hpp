@@ -7,6 +7,7 @@
 #include <scree/mpm/carried_cells.hpp>
 #include <scree/mpm/step.hpp>
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,13 @@ void observe_fractions(const mpm::Particles<D, V>& particles, FractionExtremes& 
 template <int D, int V>
 [[nodiscard]] std::vector<double> class_masses(const mpm::Particles<D, V>& particles);
 
+/// What bounds the steps that segregation is cut into. It never bounds the step of momentum.
+template <int D>
+struct SegregationLimit {
+  double dt;           ///< the longest one [s].  Eq. (G18)
+  Vector<D> position;  ///< of the control volume that it comes from [m]
+};
+
 /// Where material points and grain size meet: fractions to the control volumes, one segregation step there,
 /// the change back to the points.
 template <int D, int V>
@@ -42,7 +50,11 @@ class Coupling {
   /// are absurdly fast.
   grainsize::SegregationReport advance(mpm::State<D, V>& state, double dt);
 
+  /// That of the last call as it began; none before the first, or if nothing moves. Looked for when asked.
+  [[nodiscard]] std::optional<SegregationLimit<D>> last_limit();
+
  private:
+  [[nodiscard]] std::optional<SegregationLimit<D>> limit();
   void drive_of_points(const mpm::Particles<D, V>& particles);
   void require_few_substeps(double dt);
   void to_sites(const mpm::State<D, V>& state, const mpm::Column& fractions);
@@ -54,6 +66,7 @@ class Coupling {
   mpm::CarriedCells<D, V> cells_;
   grainsize::Segregation<D> segregation_;
   mpm::Column point_drive_{{"segregation_drive", "", "closure's own"}, 1};
+  bool has_advanced_ = false;          // so that what follows is that of a step that was possible
   std::vector<double> masses_;         // num_sites
   std::vector<double> drive_;          // num_sites
   std::vector<double> means_;          // num_sites x (num_classes + 1)

@@ -120,6 +120,11 @@ std::optional<double> Simulation<D, V>::ill_posed_share() const {
 }
 
 template <int D, int V>
+std::optional<SegregationLimit<D>> Simulation<D, V>::segregation_limit() {
+  return coupling_ ? coupling_->last_limit() : std::nullopt;
+}
+
+template <int D, int V>
 std::string Simulation<D, V>::too_few_points() const {
   constexpr Index wanted = Index{1} << D;  // two along each axis
   const mpm::CellFilling filling = mpm::cell_filling(state.particles, grid(), wanted);

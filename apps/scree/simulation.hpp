@@ -73,6 +73,8 @@ class Simulation {
   /// What to say if most cells with material hold too few points to carry a stress, or a stream brings too
   /// few; else nothing.
   [[nodiscard]] std::string too_few_points() const;
+  /// What bounded the steps of the last segregation; nothing without any since this simulation was made.
+  [[nodiscard]] std::optional<SegregationLimit<D>> segregation_limit();
   /// C of every point [-]: the law is ill-posed there if it is positive.
   [[nodiscard]] std::vector<double> stability_numbers() const;
   /// Share of the material points at which the law is ill-posed [-]; nothing if the law cannot tell.

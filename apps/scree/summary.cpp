@@ -87,6 +87,24 @@ void add_limit(const Simulation<D, V>& simulation, nlohmann::ordered_json& json)
   }
 }
 
+/// What the grains of a run did, and what bounded the steps of their segregation.
+template <int D, int V>
+void add_grains(Simulation<D, V>& simulation, nlohmann::ordered_json& json) {
+  const Tally& tally = simulation.tally;
+  json["class_mass_drift"] = class_mass_drift(simulation);
+  json["fraction_min"] = tally.fractions.lowest;
+  json["fraction_max"] = tally.fractions.highest;
+  json["fraction_sum_error"] = tally.fractions.sum_error;
+  json["segregation_steps"] = tally.segregation_steps;
+  json["segregation_substeps"] = tally.segregation_substeps;
+  const auto limit = simulation.segregation_limit();
+  if (!limit) return;
+  json["segregation_limit"]["dt"] = limit->dt;
+  for (int axis = 0; axis < D; ++axis) {
+    json["segregation_limit"]["position"].push_back(limit->position[axis]);
+  }
+}
+
 }  // namespace
 
 template <int D, int V>
@@ -114,8 +132,7 @@ double class_mass_drift(const Simulation<D, V>& simulation) {
 }
 
 template <int D, int V>
-std::string summary_json(const Simulation<D, V>& simulation, double wall_seconds,
-                         const std::string& outcome) {
+std::string summary_json(Simulation<D, V>& simulation, double wall_seconds, const std::string& outcome) {
   const Tally& tally = simulation.tally;
   const mpm::PhaseSeconds& seconds = simulation.state.seconds;
   const double updates = simulation.point_updates();
@@ -139,21 +156,14 @@ std::string summary_json(const Simulation<D, V>& simulation, double wall_seconds
   add_limit(simulation, json);
   add_passed(simulation, json);
   if (const auto share = simulation.ill_posed_share()) json["ill_posed_share"] = *share;
-  if (simulation.scene().grains) {
-    json["class_mass_drift"] = class_mass_drift(simulation);
-    json["fraction_min"] = tally.fractions.lowest;
-    json["fraction_max"] = tally.fractions.highest;
-    json["fraction_sum_error"] = tally.fractions.sum_error;
-    json["segregation_steps"] = tally.segregation_steps;
-    json["segregation_substeps"] = tally.segregation_substeps;
-  }
+  if (simulation.scene().grains) add_grains(simulation, json);
   return json.dump(2) + "\n";
 }
 
 #define SCREE_INSTANCE(D, V)                                 \
   template double class_mass_drift(const Simulation<D, V>&); \
   template double mass_drift(const Simulation<D, V>&);       \
-  template std::string summary_json(const Simulation<D, V>&, double, const std::string&);
+  template std::string summary_json(Simulation<D, V>&, double, const std::string&);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
 

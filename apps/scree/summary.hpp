@@ -6,10 +6,10 @@
 
 namespace scree::app {
 
-/// What a run did, as JSON for summary.json.
+/// What a run did, as JSON for summary.json. Looks for what bounds its steps.
 /// @param wall_seconds since the run began here  @param outcome "finished", ...
 template <int D, int V>
-[[nodiscard]] std::string summary_json(const Simulation<D, V>& simulation, double wall_seconds,
+[[nodiscard]] std::string summary_json(Simulation<D, V>& simulation, double wall_seconds,
                                        const std::string& outcome);
 
 /// What is missing of the mass that began or has entered, once what has left is counted, relative to it.

@@ -3,6 +3,7 @@
 #include "scenes.hpp"
 #include "scree/restart.hpp"
 #include "scree/simulation.hpp"
+#include "scree/summary.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -212,6 +213,48 @@ TEST(RunningMixture, StopsWhenThePaperMapLeavesAPointNoSizeThatItsLawKnows) {
   EXPECT_THAT(message,
               ::testing::EndsWith(": must be finite and above 0; the grains of this point have become "
                                   "none that the law knows"));
+}
+
+/// Segregation under a shear rate of y^2 1/(m^2 s): B = c d(y^2)/dy is largest at the topmost face between
+/// cells with material, 0.625 m up, of whose sides the lower is the first. Means over cells differ by
+/// (0.6875^2 - 0.5625^2)/s there, and s_h/s_min - 1 = 1/3 of half and half 0.5 and 1 mm.
+TEST(RunningMixture, TellsWhichCellBoundsTheStepsOfSegregation) {  // Eqs. (G10), (G18)
+  const Scene scene =
+      parse_scene(small_scene(), "scene.toml", {"segregation.remixing=0", "gravity.magnitude=0"}).scene;
+  Simulation<1, 2> column{scene, {1}};
+  const auto& particles = column.state.particles;
+  for (Index p = 0; p < particles.size(); ++p) {
+    const double y = particles.position.component(0)[p];
+    column.state.particles.velocity_gradient.component(1)[p] = y * y;
+  }
+  Coupling<1, 2> coupling{*scene.segregation, scene.grains->classes, column.grid(), scene.shape,
+                          Vector<1>{-1.0},    Symmetry::plane,       Threads{1}};
+
+  EXPECT_FALSE(coupling.last_limit());
+  const auto report = coupling.advance(column.state, 7);
+  const auto limit = coupling.last_limit();
+
+  const double speed = 0.05 * (0.6875 * 0.6875 - 0.5625 * 0.5625) / 0.125 / 3;  // c = 0.05 m^2
+  ASSERT_TRUE(limit);
+  EXPECT_NEAR(limit->dt, 0.5 * 0.125 / speed, 20 * round_off * limit->dt);  // 3 s, of some twenty operations
+  EXPECT_NEAR(limit->position[0], 0.5625, 4 * round_off);
+  EXPECT_GE(report.substeps, 3);
+}
+
+/// Remixing that is a thousand times as fast never shortens the step of momentum: a run tells both.
+TEST(RunningMixture, SegregatesInStepsOfItsOwn) {
+  Simulation<1, 2> column{
+      parse_scene(small_scene(), "scene.toml", {"segregation.remixing=100", "segregation.every=20"}).scene,
+      {1}};
+  EXPECT_FALSE(column.segregation_limit());
+  while (column.tally.segregation_steps == 0) column.step();
+
+  const auto limit = column.segregation_limit();
+  ASSERT_TRUE(limit);
+  EXPECT_LT(limit->dt, column.next_step().dt);
+  EXPECT_GT(column.tally.segregation_substeps, 20);
+  EXPECT_THAT(summary_json(column, 1, "finished"),
+              ::testing::HasSubstr("\"segregation_limit\": {\n    \"dt\": "));
 }
 
 }  // namespace

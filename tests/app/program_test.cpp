@@ -85,9 +85,9 @@ TEST(Program, LeavesEverythingItPromises) {
     EXPECT_TRUE(fs::exists(directory / file)) << file;
   }
   const auto summary = nlohmann::json::parse(text_of(directory / "summary.json"));
-  for (const char* key :
-       {"steps", "time", "wall_seconds", "point_updates_per_second", "ns_per_point", "class_mass_drift",
-        "fraction_min", "fraction_max", "fraction_sum_error", "steps_by_limit", "limit"}) {
+  for (const char* key : {"steps", "time", "wall_seconds", "point_updates_per_second", "ns_per_point",
+                          "class_mass_drift", "fraction_min", "fraction_max", "fraction_sum_error",
+                          "segregation_limit", "steps_by_limit", "limit"}) {
     EXPECT_TRUE(summary.contains(key)) << key;
   }
   EXPECT_EQ(summary["time"], 0.05);

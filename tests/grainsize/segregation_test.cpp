@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -366,6 +367,40 @@ TEST(Segregation, StableStepIsHalfACellOverTheSpeed) {  // Eqs. (G10), (G18)
 
   const double speed = 1 / 1.5 / 0.5 - 1;                       // s_h = 2/3 m, s_min = 1/2 m, B = 1 m/s
   EXPECT_NEAR(dt, 0.5 * 0.02 / speed, 0.02 * 100 * round_off);  // drive differences lose a factor of 50
+}
+
+/// The drive rises by 1/50 at each face, by four times as much at that between sites 17 and 18.
+TEST(Segregation, NamesTheSiteThatBoundsItsStep) {  // Eq. (G18)
+  const SizeClasses three{{0.5, 0.7, 1}};           // one fewer than the loops have room for
+  Column column{three, 50};
+  column.set([](double z, std::size_t) { return z / 3; });
+  for (std::size_t i = 18; i < 50; ++i) column.drive()[i] += 0.06;
+  Segregation<1> segregation{three, Column::defaults(), Column::lattice(50), Vector<1>::Zero(), Threads{1}};
+  const auto site = [&] {
+    return segregation.limiting_site(column.masses(), column.drive(), column.fractions());
+  };
+
+  EXPECT_EQ(site(), 17);  // both sides are alike: the first
+  column.masses()[18] /= 2;
+  EXPECT_EQ(site(), 18);  // half of it passes in the same time
+  column.drive().assign(50, 1);
+  EXPECT_EQ(site(), std::nullopt);
+}
+
+TEST(Segregation, NamesTheSameSiteForAnyNumberOfThreads) {
+  Box<2> box{square(40), 5};
+  const auto site = [&](int num_threads) {
+    Segregation<2> segregation{sizes(5),
+                               {.closure = ShearRate{0.01}, .remixing = 1e-5},
+                               box.lattice,
+                               Vector<2>::Zero(),
+                               Threads{num_threads}};
+    return segregation.limiting_site(box.masses, box.drive, box.fractions);
+  };
+
+  ASSERT_TRUE(site(1));
+  EXPECT_GT(box.masses[static_cast<std::size_t>(*site(1))], 0);
+  for (const int num_threads : {2, 3}) EXPECT_EQ(site(num_threads), site(1)) << num_threads;
 }
 
 TEST(Segregation, KeepsMassesBoundsAndSumsOverAHundredThousandSteps) {

@@ -190,6 +190,16 @@ double Segregation<D>::stable_time_step(std::span<const double> masses, std::spa
   return implementation_->stepper().stable_time_step(masses, implementation_->drivers(), fractions);
 }
 
+template <int D>
+std::optional<Index> Segregation<D>::limiting_site(std::span<const double> masses,
+                                                   std::span<const double> drive,
+                                                   std::span<const double> fractions) {
+  implementation_->require_lengths(masses.size(), drive.size(), fractions.size());
+  implementation_->set_drivers(masses, drive);
+  const Index site = implementation_->stepper().limiting_site(masses, implementation_->drivers(), fractions);
+  return site == transport::no_site ? std::nullopt : std::optional{site};
+}
+
 template class Segregation<1>;
 template class Segregation<2>;
 template class Segregation<3>;

@@ -42,6 +42,8 @@ class SegregationStepper {
   [[nodiscard]] virtual double stable_time_step(std::span<const double> masses,
                                                 std::span<const double> drivers,
                                                 std::span<const double> fractions) = 0;
+  [[nodiscard]] virtual Index limiting_site(std::span<const double> masses, std::span<const double> drivers,
+                                            std::span<const double> fractions) = 0;
 };
 
 /// The stepper for up to N classes.
@@ -73,6 +75,14 @@ class SegregationStepperOf final : public SegregationStepper<D> {
     if (num_classes_ == N) return solver_.stable_time_step(fractions);
     pad(fractions);
     return solver_.stable_time_step(padded_);
+  }
+
+  [[nodiscard]] Index limiting_site(std::span<const double> masses, std::span<const double> drivers,
+                                    std::span<const double> fractions) override {
+    set(masses, drivers);
+    if (num_classes_ == N) return solver_.limiting_site(fractions);
+    pad(fractions);
+    return solver_.limiting_site(padded_);
   }
 
  private:

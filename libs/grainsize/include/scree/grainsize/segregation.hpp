@@ -9,6 +9,7 @@
 #include <scree/transport/limiters.hpp>
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace scree::grainsize {
@@ -69,6 +70,12 @@ class Segregation {
   /// The longest stable step of this state [s]; infinity if nothing moves. Arguments and exceptions as above.
   [[nodiscard]] double stable_time_step(std::span<const double> masses, std::span<const double> drive,
                                         std::span<const double> fractions);
+
+  /// The site that this step comes from, the first of several; none if nothing moves. Arguments and
+  /// exceptions as above.
+  [[nodiscard]] std::optional<Index> limiting_site(std::span<const double> masses,
+                                                   std::span<const double> drive,
+                                                   std::span<const double> fractions);
 
  private:
   class Implementation;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace scree::transport {
@@ -64,6 +65,16 @@ class SemiDiscrete<Grid, Law, Reconstruct, Flux> {
                  detail::WriteStage{start.data(), fields.data(), next.data(), next.stride(), kept, dt});
   }
 
+  /// The first site that a CFL number per second of `limit` [1/s] or more comes from; no_site if there is
+  /// none.
+  [[nodiscard]] Index first_not_below(double limit, const Fields<N>& fields, double time) {
+    Index found = no_site;
+    for (std::size_t slab = 0; slab < slabs_.size() && found == no_site; ++slab) {
+      found = slabs_[slab].first_not_below(limit, problem_, fields, time);
+    }
+    return found;
+  }
+
  private:
   template <class Write>
   StepBounds sweep(const Fields<N>& fields, double time, const Write& write) {
@@ -78,12 +89,9 @@ class SemiDiscrete<Grid, Law, Reconstruct, Flux> {
   }
 
   [[noreturn]] void throw_first_fault(const Fields<N>& fields, double time) {
-    Index fault = no_site;
-    for (std::size_t slab = 0; slab < slabs_.size() && fault == no_site; ++slab) {
-      fault = slabs_[slab].first_fault(problem_, fields, time);
-    }
     const detail::Numbering<D> numbering{problem_.grid.count(), problem_.grid.is_periodic()};
-    const Indices<D> site = numbering.site(fault);
+    const Indices<D> site =
+        numbering.site(first_not_below(std::numeric_limits<double>::infinity(), fields, time));
     detail::throw_not_finite<D>(site, problem_.grid.position(site));
   }
 

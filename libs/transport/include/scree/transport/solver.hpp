@@ -130,6 +130,16 @@ class Solver {
     return longest_step(rates_of(now_, time_).limit, cfl_);
   }
 
+  /// The site of a lattice that stable_time_step() comes from, the first of several; no_site where nothing
+  /// moves. Looked for when asked: steps only keep how large the limit is.  @throws as advance.
+  [[nodiscard]] Index limiting_site(std::span<const double> u) requires LatticeGrid<Grid> {
+    detail::require_size(u.size(), num_sites(), N);
+    now_.gather(u, semi_discrete_.threads());
+    detail::require_admissible<InputError>(semi_discrete_, now_);
+    const double limit = rates_of(now_, time_).limit;
+    return limit > 0 ? semi_discrete_.first_not_below(limit, now_, time_) : no_site;
+  }
+
  private:
   using Rates = SemiDiscrete<Grid, Law, Reconstruct, Flux>;
   using Storage = typename Rates::Storage;

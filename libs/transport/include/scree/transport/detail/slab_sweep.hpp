@@ -51,7 +51,7 @@ class SlabSweep {
                                        const Write& write) noexcept {
     largest_limit_ = {};
     largest_speed_ = {};
-    first_fault_ = no_site;
+    first_found_ = no_site;
     const Flow flow{problem, fields, time};
     for (Index row = layout_.first_row(); row < layout_.end_row(); ++row) {
       const Place place = layout_.place_of(row);
@@ -64,12 +64,15 @@ class SlabSweep {
     return {largest_limit_.value(), largest_speed_.value()};
   }
 
-  /// The first site where a rate of change is not finite; no_site if there is none. Sweeps once more.
-  [[nodiscard]] Index first_fault(const Problem& problem, const Fields<N>& fields, double time) noexcept {
-    is_looking_for_faults_ = true;
+  /// The first site whose CFL number per second is not below `limit` [1/s], where a rate of change that is
+  /// not finite makes it none; no_site if there is none. Sweeps once more.
+  [[nodiscard]] Index first_not_below(double limit, const Problem& problem, const Fields<N>& fields,
+                                      double time) noexcept {
+    is_looking_ = true;
+    sought_limit_ = limit;
     static_cast<void>((*this)(problem, fields, time, [](Index, Index, double) {}));
-    is_looking_for_faults_ = false;
-    return first_fault_;
+    is_looking_ = false;
+    return first_found_;
   }
 
  private:
@@ -223,7 +226,7 @@ class SlabSweep {
       balance<Parts>(flow.problem.grid, first + begin, count, fluxes.part(begin), write,
                      limits_.data() + begin, largest_limit_.lanes() + begin);
     });
-    if (is_looking_for_faults_) look_for_faults(first, layout_.count_of(tile));
+    if (is_looking_) look_in(first, layout_.count_of(tile));
   }
 
   /// What the walls along `axis` do to the sites of a tile.  Eq. (T65)
@@ -266,9 +269,9 @@ class SlabSweep {
     }
   }
 
-  void look_for_faults(Index first, Index count) noexcept {
-    for (Index i = 0; i < count && first_fault_ == no_site; ++i) {
-      if (!std::isfinite(limits_[static_cast<std::size_t>(i)])) first_fault_ = first + i;
+  void look_in(Index first, Index count) noexcept {
+    for (Index i = 0; i < count && first_found_ == no_site; ++i) {
+      if (!(limits_[static_cast<std::size_t>(i)] < sought_limit_)) first_found_ = first + i;
     }
   }
 
@@ -284,8 +287,9 @@ class SlabSweep {
   alignas(64) Lanes limits_{};
   Largest largest_limit_{};
   Largest largest_speed_{};
-  bool is_looking_for_faults_ = false;
-  Index first_fault_ = no_site;
+  bool is_looking_ = false;
+  double sought_limit_ = 0;
+  Index first_found_ = no_site;
 };
 
 }  // namespace scree::transport::detail
