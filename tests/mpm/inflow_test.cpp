@@ -186,8 +186,11 @@ TEST(Inflow, NumbersItsPoints) {
 /// Where it fails: a stream that speeds up to more than `per_cell` times the speed it came with leaves cells
 /// empty, its layers further apart than a cell. Falling from the face of its box at v_0 it does so from
 /// (n^2 - 1) v_0^2/2g on.  Eq. (M162)  @returns how far from the face the first empty cell begins [m]
+constexpr double fall_cell = 0.01;  // [m]
+constexpr double fall_dt = 5e-4;    // [s]; v_0 = 1 m/s
+
 [[nodiscard]] double first_gap(Index per_cell) {
-  constexpr double cell = 0.01;
+  constexpr double cell = fall_cell;
   const CartesianGrid<1> grid{Vector<1>{0.0}, Vector<1>{cell}, {60}, {false}};
   const Stream<1> stream{.low = Vector<1>{0.02},
                          .high = Vector<1>{0.05},
@@ -197,10 +200,10 @@ TEST(Inflow, NumbersItsPoints) {
   const Outflow<1> end{.low = Vector<1>{0.35}, .high = Vector<1>{1}};
   Passage<1> fall{stream, grid, end, Linear{}, Apic{}};
   fall.stages.gravity = {10};
-  fall.advance(600, 5e-4);  // 0.3 s: the front is past the end
+  fall.advance(600, fall_dt);  // 0.3 s: the front is past the end
   std::vector<bool> has_gap(30, false);
   for (int n = 0; n < 60; ++n) {  // three layers' time
-    fall.advance(1, 5e-4);
+    fall.advance(1, fall_dt);
     std::vector<bool> is_filled(60, false);
     const auto& particles = fall.state->particles;
     for (Index p = 0; p < particles.size(); ++p) {
@@ -214,13 +217,15 @@ TEST(Inflow, NumbersItsPoints) {
 }
 
 TEST(Inflow, ComesApartWhereItIsFasterThanItsPointsPerCellAllow) {
-  const double predicted = (4 - 1) / (2 * 10.0);      // [m]
-  const double plain = (2.2 * 2.2 - 1) / (2 * 10.0);  // [m], where a tenth of a cell shows
+  // A cell is seen to be empty if it is for a step at least: layers h v/(2 v_0) apart leave h free and v dt.
+  const double seen = 1 / (1.0 / 2 - fall_dt / fall_cell);  // v/v_0
+  const double begins = (4 - 1) / (2 * 10.0);               // [m]
+  const double shows = (seen * seen - 1) / (2 * 10.0);      // [m]
 
   const double gap = first_gap(2);
 
-  EXPECT_GE(gap, predicted - 0.01);  // a cell
-  EXPECT_LE(gap, plain + 0.01);
+  EXPECT_GE(gap, begins - fall_cell);
+  EXPECT_LE(gap, shows + fall_cell);
 }
 
 TEST(Inflow, StaysWholeWithMorePointsPerCell) {
