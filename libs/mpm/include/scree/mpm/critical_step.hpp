@@ -1,0 +1,40 @@
+#pragma once
+
+#include <scree/mpm/shapes.hpp>
+#include <scree/mpm/step.hpp>
+#include <scree/mpm/transfers.hpp>
+
+namespace scree::mpm {
+
+/// Along each axis, the largest sum
+///
+///   (c dt/h)^2 + 8/3 nu dt/h^2
+///
+/// with which no wave of compression along that axis grows, sound and viscosity alike: the least over wave
+/// numbers, with what points at these places give to a node and take from it in the mean [-]. Exact where
+/// points form a lattice along the mesh; nodes of little mass have less, means over cells and filters more.
+/// Takes a pass over the points for each of 32 wave numbers: for once, when a run is assembled.
+/// @see Eqs. (M173), (M174)
+template <int D, int V>
+[[nodiscard]] Vector<D> critical_sums(const Particles<D, V>& particles, const CartesianGrid<D>& grid,
+                                      const AnyShape& shape, const AnyTransfer& transfer, Order order);
+
+/// No shape, transfer, order and place of points has a critical sum below this [-].  Eq. (M174)
+inline constexpr double least_critical_sum = 0.5;
+
+/// The step at which the sum along an axis reaches what critical_sums() has found [s]; infinite without sound
+/// and viscosity.  Eq. (M173)
+template <int D>
+[[nodiscard]] double critical_step(const Vector<D>& sums, const CartesianGrid<D>& grid,
+                                   const Rates& rates) noexcept;
+
+/// For each step of a run whose steps are not those of stable_time_step(), or at large shares of its limits:
+/// a few operations, with the rates that the last step has left. These are the largest of all points, so that
+/// where a few are much faster than the rest the critical step is on the safe side.
+/// @param sums from critical_sums()
+/// @throws InputError naming dt [s], the critical step, the limit that asks for most of it, and its point, if
+/// dt is longer or not a number.
+template <int D, int V>
+void require_stable(const State<D, V>& state, const Stages<D, V>& stages, const Vector<D>& sums, double dt);
+
+}  // namespace scree::mpm

@@ -1,0 +1,168 @@
+#include "instances.hpp"
+#include "stencil.hpp"
+
+#include <scree/mpm/critical_step.hpp>
+#include <scree/mpm/limiting_point.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <sstream>
+#include <variant>
+#include <vector>
+
+namespace scree::mpm {
+
+namespace {
+
+/// What of a transfer decides how a wave grows.
+struct Passing {
+  bool has_affine;
+  bool has_affine_gradient;
+  double share;  ///< of the nodes' increment [-]
+};
+
+[[nodiscard]] Passing passing_of(const AnyTransfer& transfer) {
+  return std::visit(
+      [](const auto& rule) {
+        double share = 0;
+        if constexpr (requires { rule.increment_share(); }) share = rule.increment_share();
+        return Passing{rule.has_affine, rule.has_affine_gradient, share};
+      },
+      transfer);
+}
+
+/// Of a wave on the nodes: means over points of what they see of it.  Eq. (M174)
+struct Seen {
+  double velocity = 0;   ///< |sum_i w_ip e_i|^2
+  double gradient = 0;   ///< |sum_i b_ip e_i|^2, the gradient times the spacing
+  double passed_on = 0;  ///< of it by points that pass their gradient on
+};
+
+template <class S>
+[[nodiscard]] Seen seen_of(const S& shape, const Passing& passing, std::span<const double> places,
+                           double wave_number) {
+  constexpr std::size_t support = S::support;
+  std::array<Vector<2>, support> wave;
+  for (std::size_t i = 0; i < support; ++i) {
+    const double phase = wave_number * static_cast<double>(i);
+    wave[i] = {std::cos(phase), std::sin(phase)};
+  }
+  Seen sum;
+  for (const double xi : places) {
+    const auto weights = shape.weights(xi);
+    const auto gradients = passing.has_affine_gradient ? shape.affine(xi) : shape.gradients(xi);
+    Vector<2> velocity = Vector<2>::Zero();
+    Vector<2> gradient = Vector<2>::Zero();
+    Vector<2> lever = Vector<2>::Zero();
+    for (std::size_t i = 0; i < support; ++i) {
+      velocity += weights[i] * wave[i];
+      gradient += gradients[i] * wave[i];
+      lever += weights[i] * (static_cast<double>(i) - xi) * wave[i];
+    }
+    sum.velocity += velocity.squaredNorm();
+    sum.gradient += gradient.squaredNorm();
+    if (passing.has_affine) sum.passed_on += lever.dot(gradient);
+  }
+  const auto count = static_cast<double>(places.size());
+  return {sum.velocity / count, sum.gradient / count, sum.passed_on / count};
+}
+
+/// The sum at which a wave turns round by each step, -1 times itself.  Eq. (M174)
+[[nodiscard]] double turning_sum(const Seen& seen, double share, Order order) noexcept {
+  const double kept = (1 + share) * (1 + seen.passed_on) + (1 - share) * seen.velocity;
+  const double felt =
+      order == Order::usl ? 1 + share - share * seen.velocity : seen.velocity + (1 + share) * seen.passed_on;
+  return 2 * kept / (felt * seen.gradient);
+}
+
+[[nodiscard]] double critical_sum(std::span<const double> places, const AnyShape& any_shape,
+                                  const Passing& passing, Order order) {
+  constexpr int num_waves = 32;
+  double least = std::numeric_limits<double>::infinity();
+  std::visit(
+      [&](const auto& shape) {
+        for (int n = 1; n <= num_waves; ++n) {
+          const Seen seen = seen_of(shape, passing, places, n * std::numbers::pi / num_waves);
+          least = std::min(least, turning_sum(seen, passing.share, order));
+        }
+      },
+      any_shape);
+  return least;
+}
+
+/// Shares of the sum: that of sound over dt^2 [1/s^2], that of viscosity over dt [1/s].
+struct WaveRates {
+  double sound;
+  double viscosity;
+};
+
+[[nodiscard]] WaveRates wave_rates(const Rates& rates, double spacing) noexcept {
+  const double sound = rates.wave_speed / spacing;
+  return {sound * sound, 8.0 / 3 * rates.kinematic_viscosity / (spacing * spacing)};
+}
+
+}  // namespace
+
+template <int D, int V>
+Vector<D> critical_sums(const Particles<D, V>& particles, const CartesianGrid<D>& grid, const AnyShape& shape,
+                        const AnyTransfer& transfer, Order order) {
+  const double shift = std::visit([](const auto& s) { return s.shift; }, shape);
+  const Passing passing = passing_of(transfer);
+  std::vector<double> places;
+  places.reserve(static_cast<std::size_t>(particles.size()));
+  Vector<D> sums;
+  for (int axis = 0; axis < D; ++axis) {
+    places.clear();
+    for (Index p = 0; p < particles.size(); ++p) {
+      if (!(particles.mass.component(0)[p] > 0)) continue;
+      const double x = particles.position.component(axis)[p];
+      places.push_back(detail::place_of(x, grid.origin()[axis], 1 / grid.spacing()[axis], shift).xi);
+    }
+    sums[axis] = critical_sum(places, shape, passing, order);
+  }
+  return sums;
+}
+
+template <int D>
+double critical_step(const Vector<D>& sums, const CartesianGrid<D>& grid, const Rates& rates) noexcept {
+  double dt = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < D; ++axis) {
+    const auto [sound, viscosity] = wave_rates(rates, grid.spacing()[axis]);
+    dt = std::min(dt,
+                  2 * sums[axis] / (viscosity + std::sqrt(viscosity * viscosity + 4 * sums[axis] * sound)));
+  }
+  return dt;
+}
+
+template <int D, int V>
+void require_stable(const State<D, V>& state, const Stages<D, V>& stages, const Vector<D>& sums, double dt) {
+  const CartesianGrid<D>& grid = state.nodes.grid();
+  const double critical = critical_step(sums, grid, state.rates);
+  constexpr double slack = 1 + 1e-9;  // both are rounded
+  if (dt <= critical * slack) return;
+  const auto [sound, viscosity] = wave_rates(state.rates, grid.spacing().minCoeff());
+  const Limit limit = sound * critical > viscosity ? Limit::acoustic : Limit::viscous;
+  const auto point = limiting_point(state.particles, *stages.stress, grid, limit);
+  std::ostringstream message;
+  message << "a step of " << dt << " s must not exceed the critical one, " << critical
+          << " s, beyond which waves grow; it comes from the " << limit_names[static_cast<std::size_t>(limit)]
+          << " limit";
+  if (point) message << " of " << point_name(state.particles, *point);
+  throw InputError{message.str()};
+}
+
+#define SCREE_INSTANCE(D, V)                                                                         \
+  template Vector<D> critical_sums(const Particles<D, V>&, const CartesianGrid<D>&, const AnyShape&, \
+                                   const AnyTransfer&, Order);                                       \
+  template void require_stable(const State<D, V>&, const Stages<D, V>&, const Vector<D>&, double);
+SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
+#undef SCREE_INSTANCE
+template double critical_step(const Vector<1>&, const CartesianGrid<1>&, const Rates&) noexcept;
+template double critical_step(const Vector<2>&, const CartesianGrid<2>&, const Rates&) noexcept;
+template double critical_step(const Vector<3>&, const CartesianGrid<3>&, const Rates&) noexcept;
+
+}  // namespace scree::mpm

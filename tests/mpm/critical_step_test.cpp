@@ -1,0 +1,241 @@
+// From which step on waves grow, shown by the step itself.
+
+#include "bodies.hpp"
+#include "messages.hpp"
+#include "schemes.hpp"
+
+#include <scree/mpm/critical_step.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace scree::mpm {
+namespace {
+
+constexpr Threads one_thread{1};
+constexpr Index num_cells = 32;  // every other wave of those that critical_sums() looks at
+constexpr double spacing = 0.125;
+
+/// A periodic bar and how it is advanced.
+struct Bar {
+  AnyShape shape;
+  AnyTransfer transfer;
+  Order order = Order::usl;
+  Index per_cell = 1;
+  double offset = 0;   ///< of all points from the middle of their parts of a cell [spacings]
+  double viscous = 0;  ///< share of the sum (M173) that viscosity has [-]
+};
+
+[[nodiscard]] Particles<1, 1> points_of(const Bar& bar) {
+  auto particles = filled<1>(cube<1>(num_cells, spacing, true), bar.per_cell);
+  for (double& x : particles.position.values()) x += bar.offset * spacing;
+  return particles;
+}
+
+[[nodiscard]] double critical_sum_of(const Bar& bar) {
+  return critical_sums(points_of(bar), cube<1>(num_cells, spacing, true), bar.shape, bar.transfer,
+                       bar.order)[0];
+}
+
+/// A law with which steps of dt have that sum, viscosity its share of it.
+[[nodiscard]] Fluid fluid_of(double sum, double viscous, double dt) {
+  const double speed = std::sqrt((1 - viscous) * sum) * spacing / dt;
+  return {.bulk_modulus = 1000 * speed * speed,
+          .reference_density = 1000,
+          .viscosity = 1000 * viscous * sum * 3.0 / 8 * spacing * spacing / dt};
+}
+
+constexpr double enough = 1e5;  // [-], of growth: the waves are linear still
+
+/// How a disturbance of everything, small and at random, grows: its largest in the second `num_steps` steps
+/// over that in the first, or `enough`.
+[[nodiscard]] double growth(const Bar& bar, double sum, int num_steps) {
+  constexpr double amplitude = 1e-10;  // of velocity over h/dt
+  constexpr double dt = 0.01;
+  auto particles = points_of(bar);
+  fill_at_random(particles.velocity, amplitude * spacing / dt);
+  fill_at_random(particles.velocity_gradient, amplitude / dt);
+  auto stages = stages_of<1, 1>(particles, bar.shape, bar.transfer, fluid_of(sum, bar.viscous, dt));
+  stages.order = bar.order;
+  auto state = start(std::move(particles), cube<1>(num_cells, spacing, true), stages, one_thread);
+  double first = amplitude / dt;
+  double second = 0;
+  for (int n = 0; n < 2 * num_steps; ++n) {
+    step(state, stages, dt, one_thread);
+    double& most = n < num_steps ? first : second;
+    most = std::max(most, largest(state.particles.velocity_gradient));
+    if (most > enough * amplitude / dt) return enough;
+  }
+  return second / first;
+}
+
+[[nodiscard]] std::string name_of(const Bar& bar) {
+  const auto name = [](const auto& entry) { return entry.name; };
+  std::ostringstream text;
+  text << std::visit(name, bar.shape) << " " << std::visit(name, bar.transfer) << " "
+       << order_names[static_cast<std::size_t>(bar.order)] << ", " << bar.per_cell << " points a cell at "
+       << bar.offset << ", viscosity " << bar.viscous;
+  return text.str();
+}
+
+[[nodiscard]] std::vector<Bar> every_bar() {
+  std::vector<Bar> bars;
+  const std::vector<AnyTransfer> transfers{Apic{}, Tpic{}, PicFlip{1}, PicFlip{0.5}, Aflip{1}};
+  for (const Index per_cell : {1, 2}) {
+    for (const AnyShape& shape : every_shape_for(static_cast<double>(per_cell))) {
+      for (const AnyTransfer& transfer : transfers) {
+        for (const Order order : {Order::usl, Order::musl, Order::usf}) {
+          for (const double viscous : {0.0, 0.5, 1.0}) {
+            bars.push_back({shape, transfer, order, per_cell, per_cell == 1 ? 0 : 0.1, viscous});
+          }
+        }
+      }
+    }
+  }
+  return bars;
+}
+
+/// Beyond the sum a wave turns round and grows, by no less than the sum is larger: 1.03 per step, less what
+/// it begins behind others by, a tenth. Below it none does, and one that only drifts grows by 2.
+TEST(CriticalSum, IsWhereWavesBeginToGrow) {  // Eqs. (M173), (M174)
+  constexpr int num_steps = 200;
+  for (const Bar& bar : every_bar()) {
+    const double sum = critical_sum_of(bar);
+    EXPECT_LE(growth(bar, 0.97 * sum, num_steps), 2) << name_of(bar);
+    EXPECT_GE(growth(bar, 1.03 * sum, num_steps), std::pow(1.03, num_steps) / 10) << name_of(bar);
+  }
+}
+
+TEST(CriticalSum, IsThatOfFiniteDifferencesForPointsInTheMiddleOfCells) {
+  EXPECT_NEAR(critical_sum_of({.shape = Linear{}, .transfer = Apic{}}), 1, 100 * round_off);
+  EXPECT_NEAR(critical_sum_of({.shape = Quadratic{}, .transfer = Tpic{}}), 1, 100 * round_off);
+  EXPECT_NEAR(critical_sum_of({.shape = Linear{}, .transfer = PicFlip{1}}), 0.5, 100 * round_off);
+  EXPECT_NEAR(critical_sum_of({.shape = Linear{}, .transfer = PicFlip{1}, .order = Order::usf}), 4,
+              100 * round_off);  // Eq. (M134)
+}
+
+TEST(CriticalSum, IsNeverBelowHalf) {
+  constexpr int num_places = 200;
+  for (Bar bar : every_bar()) {
+    if (bar.viscous > 0 || bar.per_cell > 1) continue;
+    double least = 9;
+    for (int n = 0; n < num_places; ++n) {
+      bar.offset = static_cast<double>(n) / num_places - 0.5;
+      least = std::min(least, critical_sum_of(bar));
+    }
+    EXPECT_GE(least, least_critical_sum * (1 - 100 * round_off)) << name_of(bar);
+  }
+}
+
+/// In one dimension the default share of the viscous limit, a half, is a sum of 2/3: too much for FLIP on hat
+/// functions, whose shortest wave grows by twice the sum per step, the velocity of points never seeing it.
+TEST(FlipOnHatFunctions, IsUnstableAtTheDefaultShareOfTheViscousLimit) {
+  constexpr int num_steps = 40;
+  constexpr double amplitude = 1e-13;  // [1/s]
+  const Fluid syrup{.bulk_modulus = 0, .reference_density = 1000, .viscosity = 100};
+  const auto grid = cube<1>(num_cells, spacing, true);
+  auto particles = points_of({.shape = Linear{}, .transfer = PicFlip{1}});
+  for (Index p = 0; p < particles.size(); ++p) {
+    particles.velocity_gradient.component(0)[p] = p % 2 == 0 ? amplitude : -amplitude;
+  }
+  const auto stages = stages_of<1, 1>(particles, Linear{}, PicFlip{1}, syrup);
+  auto state = start(std::move(particles), grid, stages, one_thread);
+  const TimeStep next = stable_time_step(grid, state.rates, {});
+  ASSERT_EQ(next.limit, Limit::viscous);
+
+  for (int n = 0; n < num_steps; ++n) step(state, stages, next.dt, one_thread);
+
+  const double expected = std::pow(4.0 / 3, num_steps);             // 1e5
+  const double change_of_density = amplitude * expected * next.dt;  // of which the wave is not yet aware
+  EXPECT_NEAR(largest(state.particles.velocity_gradient) / amplitude, expected,
+              (rounding_of(1, 2, num_steps) + change_of_density) * expected);
+}
+
+/// A bar on hat functions in which sound runs at 10 m/s, and all that a step of it needs.
+struct RunningBar {
+  /// Velocity gradient of a cell whose ends part at a tenth of the speed of sound [1/s].
+  static constexpr double flying = 1 / spacing;
+  static constexpr double amplitude = 1e-8 * flying;  ///< of its shortest wave at the start [1/s]
+
+  explicit RunningBar(const AnyTransfer& transfer)
+      : particles{points_of({.shape = Linear{}, .transfer = transfer})} {
+    sums = critical_sums(particles, grid, Linear{}, transfer, Order::usl);
+    for (Index p = 0; p < particles.size(); ++p) {
+      particles.velocity_gradient.component(0)[p] = p % 2 == 0 ? amplitude : -amplitude;
+    }
+    stages = stages_of<1, 1>(particles, Linear{}, transfer, {1e5, 1000, 0});
+    state.emplace(start(std::move(particles), grid, stages, one_thread));
+  }
+  void check(double dt) const { require_stable(*state, stages, sums, dt); }
+  /// Steps until cells come apart, at most so many.
+  [[nodiscard]] int steps_to_fly(double dt, int most) {
+    int n = 0;
+    while (n < most && largest(state->particles.velocity_gradient) < flying) {
+      step(*state, stages, dt, one_thread);
+      ++n;
+    }
+    return n;
+  }
+
+  CartesianGrid<1> grid = cube<1>(num_cells, spacing, true);
+  Particles<1, 1> particles;
+  Vector<1> sums;
+  Stages<1, 1> stages;
+  std::optional<State<1, 1>> state;
+};
+
+/// Under apic the shortest wave has sinh((n - 1/2) eta)/sinh(eta/2) times its amplitude after n steps,
+/// cosh(eta/2) = C: 1e8 times after some ln(1e8)/eta steps. The last few are no longer linear.
+TEST(RequireStable, RefusesStepsWithWhichPointsFly) {  // Eq. (M17)
+  const double courant = 1.05;
+  const double dt = courant * spacing / 10;
+  RunningBar bar{Apic{}};
+
+  EXPECT_EQ(message_of<InputError>([&] { bar.check(dt); }),
+            "a step of 0.013125 s must not exceed the critical one, 0.0125 s, beyond which waves grow; it "
+            "comes from the acoustic limit of material point 0 at (0.0625) m");
+  const int num_steps = bar.steps_to_fly(dt, 1000);
+
+  const double eta = 2 * std::acosh(courant);
+  EXPECT_NEAR(num_steps, 0.5 + std::log(2 * std::sinh(eta / 2) * 1e8) / eta, 2);  // 29
+}
+
+TEST(RequireStable, LetsStepsPassThatHold) {
+  const double critical = spacing / 10;
+  constexpr int num_steps = 2000;
+  RunningBar below{Apic{}};
+  RunningBar above{Apic{}};
+
+  EXPECT_NO_THROW(below.check(0.99 * critical));
+  EXPECT_THROW(above.check(1.01 * critical), InputError);
+
+  EXPECT_EQ(below.steps_to_fly(0.99 * critical, num_steps), num_steps);
+  EXPECT_LT(above.steps_to_fly(1.01 * critical, num_steps), num_steps);
+}
+
+/// What has flown to pieces has no place any more, on a periodic axis too.
+TEST(FlyingPoints, StopARunOnceTheyHaveNoPlace) {
+  RunningBar bar{Apic{}};
+
+  const std::string message =
+      message_of<RunError>([&] { static_cast<void>(bar.steps_to_fly(std::nan(""), 10)); });
+
+  EXPECT_EQ(message, "material point 0 at (nan) m has no finite position");
+}
+
+TEST(RequireStable, RefusesAStepThatIsNoNumber) {
+  const RunningBar bar{Apic{}};
+
+  EXPECT_EQ(message_of<InputError>([&] { bar.check(std::nan("")); }),
+            "a step of nan s must not exceed the critical one, 0.0125 s, beyond which waves grow; it comes "
+            "from the acoustic limit of material point 0 at (0.0625) m");
+}
+
+}  // namespace
+}  // namespace scree::mpm
