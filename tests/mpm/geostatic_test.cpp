@@ -76,5 +76,41 @@ TEST(SetGeostatic, LeavesPointsAboveTheSurfaceAlone) {
   }
 }
 
+/// Height of the topmost of 16 points of a soft column with rho_0 g H/K = 0.3, of 8 cells, after it has come
+/// to rest over the height at which it was laid.
+[[nodiscard]] double height_kept(bool is_settled) {
+  constexpr double H = 1;
+  constexpr double K = 1000 * gravity * H / 0.3;
+  const double c = std::sqrt(K / 1000);
+  const Fluid thick{
+      .bulk_modulus = K, .reference_density = 1000, .viscosity = 1000 * c * H / 2};  // hardly swings
+  const CartesianGrid<1> grid{Vector<1>{0.0}, Vector<1>{0.125}, {10}, {false}};
+  auto particles = seed_box<1, 1>(grid, Vector<1>{0.0}, Vector<1>{H}, {2}, 1000);
+  auto stages = stages_of<1, 1>(particles, Quadratic{}, Apic{}, thick);
+  stages.gravity = {-gravity};
+  stages.boundaries.push_back(make_wall<1>(NoSlip{}, 0, Side::low));
+  if (is_settled) set_geostatic(particles, *stages.stress, 0, H, gravity);
+  const auto top = [](const Particles<1>& points) { return largest(points.position); };
+  const double first = top(particles);
+  auto state = start(std::move(particles), grid, stages, Threads{1});
+  for (double t = 0; t < 20 * H / c;) {
+    const double dt = stable_time_step(grid, state.rates, {}).dt;
+    step(state, stages, dt, Threads{1});
+    t += dt;
+  }
+  return top(state.particles) / first;
+}
+
+/// What bears nothing at first sinks to where it bears its weight: dz = dZ/(1 + r (1 - Z/H)).  Eq. (M187)
+TEST(SetGeostatic, SparesASoftColumnItsFall) {
+  constexpr double ratio = 0.3;
+  constexpr double top = 1 - 1.0 / 32;  // of the height: the topmost of 16 points
+  const double sunk = std::log((1 + ratio) / (1 + ratio - ratio * top)) / ratio / top;  // 0.871
+
+  const double of_a_cell = ratio / 8 * (ratio / 8);  // what forces on the mesh balance to
+  EXPECT_NEAR(height_kept(false), sunk, of_a_cell);
+  EXPECT_NEAR(height_kept(true), 1, of_a_cell);
+}
+
 }  // namespace
 }  // namespace scree::mpm

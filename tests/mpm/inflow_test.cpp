@@ -232,6 +232,68 @@ TEST(Inflow, StaysWholeWithMorePointsPerCell) {
   EXPECT_GE(first_gap(4), 0.3);  // all of its way; it would come apart at 0.75 m
 }
 
+/// A stream of 1 m/s on 32 cells of 1/32 m whose box is the first four. It runs to a wall at 1 m, if it is
+/// blocked, or is taken out before, 28 cells from its box.
+struct Blocked {
+  static constexpr double cell = 1.0 / 32;     // [m]
+  static constexpr double length = 28 * cell;  // [m]
+  /// Sound in it is ten times as fast.
+  static constexpr Fluid fluid{.bulk_modulus = 1e5, .reference_density = 1000, .viscosity = 0};
+
+  explicit Blocked(bool is_blocked) {
+    if (!is_blocked) {
+      passage.outflow.low = Vector<1>{1 - 2 * cell};
+      return;
+    }
+    auto& boundaries = passage.stages.boundaries;
+    boundaries.insert(boundaries.begin(), make_wall<1>(NoSlip{}, 0, Side::high));
+  }
+  void advance_to(double time) {
+    while (passage.time < time) passage.advance(1, 0.4 * cell / (10 + 1));
+  }
+  /// Mean pressure of what has left the box, by volume [Pa].
+  [[nodiscard]] double mean_pressure() const {
+    const auto& particles = passage.state->particles;
+    double work = 0;
+    double volumes = 0;
+    for (Index p = 0; p < particles.size(); ++p) {
+      const double density = particles.density.component(0)[p];
+      if (!(particles.mass.component(0)[p] > 0) || particles.position.component(0)[p] < 4 * cell) continue;
+      const double volume = particles.mass.component(0)[p] / density;
+      work += volume * fluid.bulk_modulus * (density / 1000 - 1);
+      volumes += volume;
+    }
+    return work / volumes;
+  }
+
+  Passage<1> passage{
+      {.low = Vector<1>{0.0}, .high = Vector<1>{4 * cell}, .velocity = {1}, .density = 1000, .per_cell = {2}},
+      {Vector<1>{0.0}, Vector<1>{cell}, {32}, {false}},
+      {.low = Vector<1>{1 - cell / 100}, .high = Vector<1>{2.0}},
+      Quadratic{},
+      Apic{},
+      fluid};
+};
+
+/// The rate is imposed, so that all that enters after the stream has come to the wall is squeezed into the
+/// room before it, however slow it is beside sound. Where the wall begins to press is known to a cell.
+TEST(Inflow, IsCompressedByWhatEntersOnceItIsBlocked) {  // Eq. (M188)
+  Blocked stream{true};
+  for (const double late : {0.1, 0.25, 0.5, 1.0}) {  // of the time to the wall
+    stream.advance_to((1 + late) * Blocked::length);
+
+    EXPECT_NEAR(stream.mean_pressure() / Blocked::fluid.bulk_modulus, late, Blocked::cell / Blocked::length);
+  }
+}
+
+TEST(Inflow, PressesOnNothingThatIsTakenOut) {
+  Blocked stream{false};
+
+  stream.advance_to(2 * Blocked::length);
+
+  EXPECT_NEAR(stream.mean_pressure() / Blocked::fluid.bulk_modulus, 0, 10 * rounding_of(1, 3, 2000));
+}
+
 struct BadStream {
   std::string what;
   std::function<void(Stream<2>&)> spoil;
