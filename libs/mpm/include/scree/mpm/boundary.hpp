@@ -29,7 +29,7 @@ class Boundary {
   /// How many means of what points carry it needs at its nodes: one past the last that it reads, 0 if none.
   /// A run with such a boundary has `NodeMeans`, which bring them.  Eq. (M170)
   [[nodiscard]] virtual Index num_means() const noexcept { return 0; }
-  /// Marks all nodes in use that it may read means of now.  @param is_read one for each node
+  /// Marks all nodes in use that it may read means of now, with one mark for each node.
   virtual void mark_read(const Nodes<D>& /*nodes*/, std::span<std::uint8_t> /*is_read*/) const noexcept {}
   /// Whether it may read those of other nodes in the next step.
   [[nodiscard]] virtual bool reads_elsewhere() const noexcept { return false; }
