@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stencil.hpp"
 #include "step_phases.hpp"
 
 #include <scree/mpm/point_transfer.hpp>
@@ -23,6 +24,7 @@ void prepare(State<D, V>& state, const Stages<D, V>& stages) {
   const auto make = [](std::vector<double>& values, const Column& column) {
     values.resize(column.values().size());
   };
+  if (has_stress_pass(stages) || mends_gradients(stages)) make(spare.position, particles.position);
   if (!has_stress_pass(stages) && !has_filter) return;
   make(spare.velocity, particles.velocity);
   make(spare.velocity_gradient, particles.velocity_gradient);
@@ -31,7 +33,6 @@ void prepare(State<D, V>& state, const Stages<D, V>& stages) {
     make(spare.filtered, particles.velocity);
   }
   if (!has_stress_pass(stages)) return;
-  make(spare.position, particles.position);
   make(spare.density, particles.density);
   if (stages.averaging.is_on()) state.means.prepare(state.nodes.grid(), particles.size());
 }
@@ -40,14 +41,7 @@ void prepare(State<D, V>& state, const Stages<D, V>& stages) {
 template <int D, int V>
 void strain_density(Particles<D, V>& particles, const ParticleBlock<D>& block, double dt) noexcept {
   for (Index p = block.begin; p < block.end; ++p) {
-    Components<Components<double, V>, D> gradient;
-    for (int j = 0; j < D; ++j) {
-      for (int i = 0; i < V; ++i) {
-        gradient[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] =
-            particles.velocity_gradient.component(i + V * j)[p];
-      }
-    }
-    particles.density.component(0)[p] /= volume_ratio<double, D, V>(gradient, dt);
+    particles.density.component(0)[p] /= volume_ratio<double, D, V>(gradient_of(particles, p), dt);
   }
 }
 

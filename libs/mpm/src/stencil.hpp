@@ -3,6 +3,7 @@
 #include <scree/grid.hpp>
 #include <scree/index.hpp>
 #include <scree/mpm/particle_blocks.hpp>
+#include <scree/mpm/particles.hpp>
 #include <scree/mpm/point_transfer.hpp>
 
 #include <algorithm>
@@ -37,6 +38,20 @@ template <class ShapeType, int D>
   }
   const Index base = std::clamp(at.base, std::min(first, last), last);
   return {base, at.xi + static_cast<double>(at.base - base)};
+}
+
+/// The velocity gradient of a point, [j][i]: dv_i/dx_j [1/s].
+template <int D, int V>
+[[nodiscard]] Components<Components<double, V>, D> gradient_of(const Particles<D, V>& particles,
+                                                               Index p) noexcept {
+  Components<Components<double, V>, D> gradient;
+  for (int j = 0; j < D; ++j) {
+    for (int i = 0; i < V; ++i) {
+      gradient[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] =
+          particles.velocity_gradient.component(i + V * j)[p];
+    }
+  }
+  return gradient;
 }
 
 }  // namespace scree::mpm::detail

@@ -54,7 +54,7 @@ void scatter_block(State<D, V>& state, const Stages<D, V>& stages, const Transfe
   transfer.scatter(state.particles, block, state.nodes, dt);
   for (const auto& boundary : stages.boundaries) {
     const std::optional<MeshEnd> end = boundary->cuts_shapes();
-    if (end) transfer.scatter_cut(state.particles, block, state.nodes, *end);
+    if (end) transfer.scatter_cut(state.particles, block, state.nodes, *end, dt);
   }
 }
 
@@ -104,13 +104,35 @@ void move_nodes(State<D, V>& state, const Stages<D, V>& stages, double dt, Threa
   for (const auto& boundary : stages.boundaries) boundary->reflect(state.nodes);
 }
 
+/// Whether gradients beside walls are mended after `Transfer::gather`.
+template <int D, int V>
+[[nodiscard]] bool mends_gradients(const Stages<D, V>& stages) noexcept {
+  const auto cuts = [](const auto& boundary) { return boundary->cuts_shapes().has_value(); };
+  return stages.transfer->gathers_cut() && std::ranges::any_of(stages.boundaries, cuts);
+}
+
+/// What nodes give to a block's points, beside walls that cut shapes off too.
+/// @param transfer that takes it  @param position of all points before, if that mends gradients
+template <int D, int V>
+BlockMotion gather_block(State<D, V>& state, const Stages<D, V>& stages, const Transfer<D, V>& transfer,
+                         const ParticleBlock<D>& block, const double* position, double dt) noexcept {
+  const BlockMotion motion = transfer.gather(state.particles, block, state.nodes, dt);
+  for (const auto& boundary : stages.boundaries) {
+    const std::optional<MeshEnd> end = boundary->cuts_shapes();
+    if (end) transfer.gather_cut(state.particles, block, state.nodes, *end, position, dt);
+  }
+  return motion;
+}
+
 template <int D, int V>
 void gather(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
   const Stopwatch watch{state.seconds.gather};
+  if (mends_gradients(stages))
+    std::ranges::copy(state.particles.position.values(), state.spare.position.begin());
   state.blocks.for_each(threads, [&](Index b) {
     const ParticleBlock<D>& block = state.blocks.blocks[static_cast<std::size_t>(b)];
     state.block_results[static_cast<std::size_t>(b)].motion =
-        stages.transfer->gather(state.particles, block, state.nodes, dt);
+        gather_block(state, stages, *stages.transfer, block, state.spare.position.data(), dt);
     if (stages.point_term) stages.point_term->gather(state.particles, block, dt);
   });
 }
@@ -129,9 +151,9 @@ void map_to_nodes_and_back(State<D, V>& state, const Stages<D, V>& stages, const
   advance_momentum(state.nodes, no_gravity.data(), 0, state.mass_floor, threads);
   for (const auto& boundary : stages.boundaries) boundary->hold_mapped(state.nodes, dt);
   for (const auto& boundary : stages.boundaries) boundary->reflect(state.nodes);
+  const double* const position = state.particles.position.component(0);  // nothing moves
   state.blocks.for_each(threads, [&](Index b) {
-    static_cast<void>(
-        transfer.gather(state.particles, state.blocks.blocks[static_cast<std::size_t>(b)], state.nodes, 0));
+    gather_block(state, stages, transfer, state.blocks.blocks[static_cast<std::size_t>(b)], position, 0);
   });
 }
 

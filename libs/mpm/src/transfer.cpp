@@ -33,6 +33,7 @@ class TransferBy final : public Transfer<D, V> {
         std::visit([](const auto& s) { return block_edge<D, std::decay_t<decltype(s)>::support>; }, shape);
     shift_ = std::visit([](const auto& s) { return s.shift; }, shape);
     has_affine_ = std::visit([](const auto& r) { return r.has_affine; }, rule);
+    has_affine_gradient_ = std::visit([](const auto& r) { return r.has_affine_gradient; }, rule);
     record_ = {V, std::visit([](const auto& r) { return r.has_increment; }, rule)};
   }
 
@@ -50,15 +51,29 @@ class TransferBy final : public Transfer<D, V> {
   }
 
   void scatter_cut(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
-                   const MeshEnd& end) const noexcept override {
+                   const MeshEnd& end, double dt) const noexcept override {
     if (!has_affine_) return;
     std::visit([&](const auto& shape) { detail::move_to_cut(shape, particles, block, end, nodes); }, shape_);
+    if (!gathers_cut()) return;
+    const double time = record_.has_increment ? 1 : dt;
+    const Cubic shape = std::get<Cubic>(shape_);
+    detail::push_by_cut(shape, particles, block, end, time, nodes);
   }
 
   [[nodiscard]] BlockMotion gather(Particles<D, V>& particles, const ParticleBlock<D>& block,
                                    const Nodes<D>& nodes, double dt) const noexcept override {
     return kernels_.gather(shape_, rule_, columns_of<double>(particles, block), place_of(block, nodes.grid()),
                            tile_of(block, nodes, nodes[0]), dt);
+  }
+
+  [[nodiscard]] bool gathers_cut() const noexcept override {
+    return has_affine_gradient_ && std::holds_alternative<Cubic>(shape_);
+  }
+
+  void gather_cut(Particles<D, V>& particles, const ParticleBlock<D>& block, const Nodes<D>& nodes,
+                  const MeshEnd& end, const double* position, double dt) const noexcept override {
+    if (!gathers_cut()) return;
+    detail::mend_gradients(std::get<Cubic>(shape_), position, nodes, end, dt, block, particles);
   }
 
  private:
@@ -116,6 +131,7 @@ class TransferBy final : public Transfer<D, V> {
   Index sort_edge_;
   double shift_;
   bool has_affine_;
+  bool has_affine_gradient_;
   NodeRecord record_;
 };
 

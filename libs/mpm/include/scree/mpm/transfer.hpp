@@ -35,13 +35,23 @@ class Transfer {
                        double dt) const noexcept = 0;
 
   /// After `scatter`, where a wall cuts shape functions off: what the block's points gave to images past that
-  /// end will come home with the velocity that they have, by their gradient, where it comes.  Eq. (M183)
+  /// end will come home with the velocity that they have, by their gradient, where it comes, and their force
+  /// with the slopes by which they take it.  Eqs. (M183), (M197)
   virtual void scatter_cut(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
-                           const MeshEnd& end) const noexcept = 0;
+                           const MeshEnd& end, double dt) const noexcept = 0;
 
   /// Takes velocities back to the points, moves them by dt [s], updates their density.  Eqs. (M11)-(M13)
   [[nodiscard]] virtual BlockMotion gather(Particles<D, V>& particles, const ParticleBlock<D>& block,
                                            const Nodes<D>& nodes, double dt) const noexcept = 0;
+
+  /// Whether `gather_cut` does anything: it does if gradients are affine and three nodes are left of a
+  /// stencil that is cut off.
+  [[nodiscard]] virtual bool gathers_cut() const noexcept = 0;
+  /// After `gather`, where a wall cuts shape functions off: makes gradients the best affine ones by the
+  /// weights that are left, and density alike.  Eq. (M197)
+  /// @param position of all points as they gathered, in the form of its column
+  virtual void gather_cut(Particles<D, V>& particles, const ParticleBlock<D>& block, const Nodes<D>& nodes,
+                          const MeshEnd& end, const double* position, double dt) const noexcept = 0;
 };
 
 /// @param set what its loops are compiled for: one of instruction_sets()
