@@ -102,6 +102,65 @@ TEST(LightNode, OverturnsAPointUnderApicAndHatFunctions) {  // Eq. (M93): sin^2(
   }
 }
 
+/// A point under pressure, so little past the rim of a node's quadratic spline that the node has a share of
+/// its mass of delta^2/2, and a force of its stress times delta.
+struct Rim {
+  Rim(double delta, double floor) {
+    Particles<1> particles;
+    particles.resize(1);
+    particles.position.component(0)[0] = (4.5 - delta) * spacing;
+    particles.mass.component(0)[0] = 2;
+    particles.density.component(0)[0] = density * (1 + pressure / bulk_modulus);
+    stages = stages_of<1, 1>(particles, Quadratic{}, PicFlip{1}, {bulk_modulus, density, 0});
+    stages.mass_floor = floor;
+    state = std::make_unique<State<1, 1>>(
+        start(std::move(particles), cube<1>(8, spacing, false), stages, one_thread));
+    step(*state, stages, dt, one_thread);
+  }
+  /// Of node 3, the one behind [m/s^2].
+  [[nodiscard]] double acceleration() const {
+    const Nodes<1>& nodes = state->nodes;
+    return nodes[3 + Nodes<1>::num_images][nodes.record().increment()] / dt;
+  }
+  static constexpr double spacing = 0.125;     // [m]
+  static constexpr double density = 1000;      // [kg/m^3]
+  static constexpr double bulk_modulus = 1e6;  // [Pa]
+  static constexpr double pressure = 1e3;      // [Pa]
+  static constexpr double dt = 1e-6;           // [s]
+
+  Stages<1, 1> stages;
+  std::unique_ptr<State<1, 1>> state;
+};
+
+TEST(MassFloor, BoundsTheAccelerationOfANode) {  // Eq. (M195)
+  for (const double floor : {1e-10, 1e-6}) {
+    const double threshold = std::sqrt(2 * floor);
+    const double bound = std::sqrt(2 / floor) * Rim::pressure / (Rim::density * Rim::spacing);
+
+    const double above = Rim{1.01 * threshold, floor}.acceleration();
+    const double below = Rim{0.99 * threshold, floor}.acceleration();
+
+    // The place is rounded at 4.5 spacings, the density to a round-off times K/p, and is not the one at rest.
+    const double rounding =
+        4 * 4.5 * round_off / threshold + 4 * round_off * Rim::bulk_modulus / Rim::pressure;
+    const double volume = 1 / (1 + Rim::pressure / Rim::bulk_modulus);
+    EXPECT_NEAR(above, -volume * bound / 1.01, rounding * bound);
+    EXPECT_EQ(below, 0);
+  }
+}
+
+/// Without a floor the acceleration has no bound, but the point feels none of it: it is multiplied by the
+/// mass.
+TEST(MassFloor, IsNotNeededForThePointThatANodeIsLightOf) {  // Eq. (M195)
+  for (const double delta : {1e-4, 1e-6}) {
+    const Rim rim{delta, 0};
+
+    EXPECT_GT(std::abs(rim.acceleration()), 1e3 / (Rim::density * Rim::spacing) / delta);
+    const double felt = delta * delta / 2 * std::abs(rim.acceleration());
+    EXPECT_LE(felt, 1.01 * delta * Rim::pressure / (Rim::density * Rim::spacing));
+  }
+}
+
 TEST(LightNode, DoesNoHarmUnderQuadraticShapes) {
   // The force on a light node is light too. C^2 h^2/M = 4 C^2 < 4 under apic, and at most 6 C^2 < 2 under
   // FLIP.

@@ -32,7 +32,7 @@ struct Stages {
   std::unique_ptr<NodeSolve<D, V>> node_solve;  ///< what is implicit; none: nothing is
   std::array<double, V> gravity{};              ///< [m/s^2]
   /// A node lighter than this share of the heaviest point takes no part: its acceleration would be a small
-  /// force over next to no mass.  [-], Eq. (M20)
+  /// force over next to no mass.  [-], Eqs. (M20), (M195), (M196)
   double mass_floor = 1e-10;
   Leaving leaving = Leaving::stop;  ///< what happens to points that leave the mesh
   Order order = Order::usl;         ///< when stress is brought up to date; usl alone takes no extra pass
