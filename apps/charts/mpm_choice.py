@@ -5,9 +5,11 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from mpm_runs import Line, Scheme
-from pareto import EQUAL_COSTS, cost_of_error
+from pareto import cost_of_error
 
 USUAL = Scheme("quadratic", "apic", "usl", 2)
+EQUAL_COSTS = 0.25  # [-]: single runs on a shared machine repeat to a fifth, up or down, nine times out of ten
+POINTS_OF_ORDERS = 2  # along each axis of a cell, on which every order of the step is run
 
 
 class Choice(NamedTuple):
@@ -17,6 +19,7 @@ class Choice(NamedTuple):
     scheme: Scheme
     seconds: float
     usual_seconds: float  # inf where they do not get there
+    order_seconds: dict[str, float]  # the best of each order of the step, on 2² points; inf likewise
 
 
 def error_levels(lines: Sequence[Line]) -> list[float]:
@@ -44,12 +47,20 @@ def choices(lines: Sequence[Line]) -> list[Choice]:
         near = [scheme for scheme, cost in costs.items() if cost <= (1 + EQUAL_COSTS) * least]
         preferred = [USUAL, *(choice.scheme for choice in reversed(result))]
         best = next((scheme for scheme in preferred if scheme in near), min(near, key=lambda one: costs[one]))
-        result.append(Choice(error, best, costs[best], costs.get(USUAL, math.inf)))
+        result.append(Choice(error, best, costs[best], costs.get(USUAL, math.inf), _best_of_orders(costs)))
     return result
 
 
+def _best_of_orders(costs: dict[Scheme, float]) -> dict[str, float]:
+    best: dict[str, float] = {}
+    for scheme, cost in costs.items():
+        if scheme.points_per_axis == POINTS_OF_ORDERS:
+            best[scheme.order] = min(cost, best.get(scheme.order, math.inf))
+    return best
+
+
 def sentence(chosen: Sequence[Choice]) -> str:
-    """What to choose, in one sentence for each error."""
+    """What to choose, in one sentence for each error, and one on the order of the step."""
     parts = []
     for choice in chosen:
         factor = choice.usual_seconds / choice.seconds
@@ -57,4 +68,18 @@ def sentence(chosen: Sequence[Choice]) -> str:
         if choice.scheme != USUAL:
             beside = f" ({USUAL} takes {factor:.1f} times as long)" if math.isfinite(factor) else f" ({USUAL} does not get there)"
         parts.append(f"For an error of {choice.error:g} choose {choice.scheme}{beside}.")
+    orders = [_order_beside_usl(order, chosen) for order in ("musl", "usf")]
+    if all(orders):
+        parts.append(f"On 2² points, beside the best of usl, that of {orders[0]}, of {orders[1]}.")
     return " ".join(parts)
+
+
+def _order_beside_usl(order: str, chosen: Sequence[Choice]) -> str:
+    """How many times as long the best of an order takes as that of usl; empty where either was not run."""
+    if not all({order, "usl"} <= choice.order_seconds.keys() for choice in chosen):
+        return ""
+    factors = [choice.order_seconds[order] / choice.order_seconds["usl"] for choice in chosen]
+    if not all(math.isfinite(factor) for factor in factors):
+        return f"{order} does not get to every error"
+    least, most = f"{min(factors):.1f}", f"{max(factors):.1f}"
+    return f"{order} takes {least if least == most else f'{least} to {most}'} times as long"

@@ -51,17 +51,18 @@ class ManufacturedRun {
 
   /// Largest root mean square of the points' distance from where they belong, over all steps [m].
   [[nodiscard]] double error() {
+    return error([](const auto& one_step) { one_step(); });
+  }
+
+  /// The same, each step made by around(one_step), which may measure what it costs.
+  template <class Around>
+  [[nodiscard]] double error(Around&& around) {
     double worst = 0;
     for (int n = 0; n < num_steps_; ++n) {
-      advance(n);
+      around([&] { advance(n); });
       worst = std::max(worst, distance((n + 1) * dt_));
     }
     return worst;
-  }
-
-  /// All steps, and nothing else: what they cost.
-  void run() {
-    for (int n = 0; n < num_steps_; ++n) advance(n);
   }
 
  private:

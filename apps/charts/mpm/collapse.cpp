@@ -37,6 +37,8 @@ using Profile = std::vector<double>;  // mass between places that are 2.5 cm apa
                          .scene;
   scene.shape = scheme.any_shape;
   scene.transfer = scheme.any_transfer;
+  scene.order = scheme.order;
+  scene.xpic_order = scheme.xpic_order;
   app::Simulation<2, 2> simulation{scene, {1}};
   while (!simulation.is_finished()) simulation.step();
   return profile_of(simulation.state.particles);
@@ -60,8 +62,6 @@ using Profile = std::vector<double>;  // mass between places that are 2.5 cm apa
 
 std::vector<Run> collapse(const Scheme& scheme, bool is_quick) {
   std::vector<Run> runs;
-  if (scheme.order != mpm::Order::usl || scheme.xpic_order > 0)
-    return runs;  // which the program does not offer
   const Index finest = is_quick ? 6 : 24;
   for (Index cells = 6; cells <= finest; cells *= 2) {
     Run run{"collapse", scheme, cells};

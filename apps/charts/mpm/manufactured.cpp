@@ -18,18 +18,17 @@ template <class Motion>
   const Index finest = is_quick ? coarsest : 4 * coarsest;
   for (Index cells = coarsest; cells <= finest; cells *= 2) {
     Run run{problem, scheme, cells};
-    const auto fresh = [&] {
-      return mpm::ManufacturedRun<Motion>{motion, cells, scheme.any_shape, scheme.any_transfer,
-                                          mpm::Extras{.order = scheme.order,
-                                                      .xpic_order = scheme.xpic_order,
-                                                      .points_per_axis = scheme.points_per_axis}};
+    const auto timed = [&](const auto& one_step) {
+      const double start = cpu_seconds();
+      one_step();
+      run.cpu_seconds += cpu_seconds() - start;
     };
     try {
-      run.error = fresh().error() / unit;
-      auto timed = fresh();
-      const double start = cpu_seconds();
-      timed.run();
-      run.cpu_seconds = cpu_seconds() - start;
+      mpm::ManufacturedRun<Motion> body{motion, cells, scheme.any_shape, scheme.any_transfer,
+                                        mpm::Extras{.order = scheme.order,
+                                                    .xpic_order = scheme.xpic_order,
+                                                    .points_per_axis = scheme.points_per_axis}};
+      run.error = body.error(timed) / unit;
     } catch (const RunError&) {  // points have left the mesh
       run.error = std::numeric_limits<double>::quiet_NaN();
     }

@@ -33,23 +33,21 @@ void for_each_alternative(std::type_identity<std::variant<T...>> /*list*/, Visit
 std::vector<Scheme> every_scheme(bool is_quick) {
   std::vector<Scheme> result;
   for_each_alternative(std::type_identity<mpm::AnyShape>{}, [&]<class ShapeType>(const ShapeType& shape) {
-    constexpr bool is_quadratic = std::is_same_v<ShapeType, mpm::Quadratic>;
-    if (is_quick && !is_quadratic) return;
+    if (is_quick && !std::is_same_v<ShapeType, mpm::Quadratic>) return;
     for (Scheme scheme : every_transfer()) {
       scheme.shape = ShapeType::name;
       scheme.any_shape = shape;
       for (const Index points : {1, 2, 3}) {
+        if (is_quick && points != 2) continue;
         scheme.points_per_axis = points;
         if constexpr (std::is_same_v<ShapeType, mpm::Gimp>) {
           scheme.any_shape = mpm::Gimp{static_cast<double>(points)};  // boxes that fill the cell
         }
-        if (!is_quick || points == 2) result.push_back(scheme);
-      }
-      if (!is_quadratic || scheme.xpic_order > 0) continue;
-      scheme.points_per_axis = 2;
-      for (const mpm::Order order : {mpm::Order::musl, mpm::Order::usf}) {
-        scheme.order = order;
-        result.push_back(scheme);
+        for (const mpm::Order order : {mpm::Order::usl, mpm::Order::musl, mpm::Order::usf}) {
+          if (order != mpm::Order::usl && points != 2) continue;
+          scheme.order = order;
+          result.push_back(scheme);
+        }
       }
     }
   });
