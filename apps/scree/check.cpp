@@ -1,5 +1,6 @@
 #include "scree/run.hpp"
 #include "scree/simulation.hpp"
+#include "scree/stability.hpp"
 #include "scree/well_posedness.hpp"
 #include "scree/with_dimensions.hpp"
 
@@ -29,6 +30,8 @@ std::string cost_of(const Scene& scene) {
         (node_bytes + static_cast<double>(state.particles.held_bytes()) + sort_bytes) / megabyte);
     const std::string few = simulation.too_few_points();
     if (!few.empty()) lines += "warning: " + few + "\n";
+    const std::string soft = softness_warning(scene, state.particles);
+    if (!soft.empty()) lines += "warning: " + soft + "\n";
     return lines;
   });
   const std::string warning = ill_posedness_warning(scene);

@@ -4,6 +4,7 @@
 #include "scree/interrupt.hpp"
 #include "scree/progress.hpp"
 #include "scree/restart.hpp"
+#include "scree/stability.hpp"
 #include "scree/summary.hpp"
 #include "scree/well_posedness.hpp"
 #include "scree/with_dimensions.hpp"
@@ -54,6 +55,7 @@ class RunOnDisk {
     if (const std::string few = simulation_.too_few_points(); !few.empty()) {
       fmt::print(stderr, "scree: warning: {}\n", few);
     }
+    warn_if_soft();
     const InterruptGuard guard;
     Outcome outcome = Outcome::finished;
     Standing last = standing();
@@ -88,6 +90,12 @@ class RunOnDisk {
     if (!options_.restart) return io::FrameWriter::create(options_.directory);
     read_checkpoint_into(simulation_, *options_.restart);
     return io::FrameWriter::resume(options_.directory, simulation_.clock.step);
+  }
+
+  void warn_if_soft() const {
+    if (options_.restart) return;
+    const std::string soft = softness_warning(simulation_.scene(), simulation_.state.particles);
+    if (!soft.empty()) fmt::print(stderr, "scree: warning: {}\n", soft);
   }
 
   void store_frame() {

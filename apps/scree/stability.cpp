@@ -4,6 +4,8 @@
 #include "scree/dimensions.hpp"
 #include "scree/streams.hpp"
 
+#include <scree/mpm/critical_step.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,20 +17,15 @@ namespace scree::app {
 
 namespace {
 
-/// What (c dt/h)^2 + 8/3 nu dt/h^2 must not exceed. Shapes of up to three nodes give points in the middle of
-/// cells the same two, those of hat functions; under cubic ones the limit is beyond 1.
-[[nodiscard]] double wave_limit(const Scene& scene) {
-  const bool keeps_gradient = std::visit([](const auto& rule) { return rule.has_affine; }, scene.transfer);
-  if (keeps_gradient) return 1;
-  if (scene.order != mpm::Order::usl) return 2;
-  return std::visit([](const auto& shape) { return shape.support <= 3 ? 0.5 : 1.0; }, scene.shape);
-}
-
-/// The step at which the limit is reached [s]; infinite without sound and viscosity.
-[[nodiscard]] double critical_step(double limit, const mpm::Rates& rates, double h) {
-  const double sound = rates.wave_speed / h;
-  const double damping = 8.0 / 3 * rates.kinematic_viscosity / (h * h);
-  return 2 * limit / (damping + std::sqrt(damping * damping + 4 * limit * sound * sound));
+/// The step from which on waves grow on points as they lie [s]; that of any scheme, if `dt` is not longer.
+template <int D, int V>
+[[nodiscard]] double critical_step(const Scene& scene, const mpm::State<D, V>& state, double dt) {
+  const CartesianGrid<D>& grid = state.nodes.grid();
+  const Vector<D> least = Vector<D>::Constant(mpm::least_critical_sum);
+  const double of_any = mpm::critical_step<D>(least, grid, state.rates);
+  if (dt <= of_any) return of_any;
+  const Vector<D> sums = mpm::critical_sums(state.particles, grid, scene.shape, scene.transfer, scene.order);
+  return mpm::critical_step(sums, grid, state.rates);
 }
 
 /// Four digits, rounded down.
@@ -58,9 +55,8 @@ template <class List>
 
 template <int D, int V>
 void require_stable_step(const Scene& scene, const mpm::State<D, V>& state) {
-  const CartesianGrid<D>& grid = state.nodes.grid();
-  const mpm::TimeStep step = mpm::stable_time_step(grid, state.rates, scene.time_step);
-  const double critical = critical_step(wave_limit(scene), state.rates, grid.spacing().minCoeff());
+  const mpm::TimeStep step = mpm::stable_time_step(state.nodes.grid(), state.rates, scene.time_step);
+  const double critical = critical_step(scene, state, step.dt);
   constexpr double slack = 1 + 1e-9;  // both are rounded
   if (step.dt <= critical * slack) return;
   const mpm::TimeStepOptions& options = scene.time_step;
@@ -101,10 +97,36 @@ void require_stiff(const Scene& scene, const Filling<D>& filling, const mpm::Sta
       modulus, pressure, pressure / modulus)};
 }
 
+template <int D, int V>
+std::string softness_warning(const Scene& scene, const mpm::Particles<D, V>& particles) {
+  constexpr double soft = 0.1;  // [-], of the modulus: half of it of the height is compression, which is seen
+  const double modulus = bulk_modulus_of(scene.law);
+  if (scene.material.stored || !std::isfinite(modulus)) return {};
+  const double density = std::visit([](const auto& law) { return law.density; }, scene.law);
+  double highest = density;
+  double mass = 0;
+  double volume = 0;
+  for (Index p = 0; p < particles.size(); ++p) {
+    const double here = particles.density.component(0)[p];
+    highest = std::max(highest, here);
+    mass += particles.mass.component(0)[p];
+    volume += particles.mass.component(0)[p] / here;
+  }
+  const double ratio = std::log(highest / density);
+  if (!(ratio >= soft)) return {};
+  return fmt::format(
+      "[rheology] bulk_modulus = {:g}: at the start the material is up to {:.2g} % denser, and {:.2g} % "
+      "heavier in "
+      "all, than where nothing presses, and will swell and sink by as much as it spreads and heaps up: give "
+      "{:.3g} or more to keep the first below a tenth [Pa]",
+      modulus, 100 * (highest / density - 1), 100 * (mass / (density * volume) - 1), modulus * ratio / soft);
+}
+
 #define SCREE_INSTANCE(D, V)                                                             \
   template void require_stable_step(const Scene&, const mpm::State<D, V>&);              \
   template void require_stiff(const Scene&, const Filling<D>&, const mpm::Stages<D, V>&, \
-                              const mpm::Particles<D, V>&);
+                              const mpm::Particles<D, V>&);                              \
+  template std::string softness_warning(const Scene&, const mpm::Particles<D, V>&);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
 

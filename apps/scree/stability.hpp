@@ -6,15 +6,12 @@
 #include <scree/mpm/particles.hpp>
 #include <scree/mpm/step.hpp>
 
+#include <string>
+
 namespace scree::app {
 
-/// Checks that the first step lets no wave of sound grow. On points in the middle of their cells, h apart,
-/// hat functions are central differences, and the shortest wave of compression stays bounded up to
-///
-///   (c dt/h)^2 + 8/3 nu dt/h^2 = 1
-///
-/// where points pass on their velocity gradient. Under pic_flip, whose points' velocities do not see that
-/// wave, it is 1/2 with the order usl, Eq. (M17), and at least 2 with usf and musl.
+/// Checks that no wave of sound and viscosity grows in the first step on points as they lie, and says which
+/// share of the limits would do.  @see mpm::critical_sums()
 /// @throws InputError naming the key of [numerics], the largest that it may be, and the critical step.
 template <int D, int V>
 void require_stable_step(const Scene& scene, const mpm::State<D, V>& state);
@@ -25,5 +22,10 @@ void require_stable_step(const Scene& scene, const mpm::State<D, V>& state);
 template <int D, int V>
 void require_stiff(const Scene& scene, const Filling<D>& filling, const mpm::Stages<D, V>& stages,
                    const mpm::Particles<D, V>& particles);
+
+/// What to say of points at the start that are denser by a factor of exp(1/10) or more than their law's own
+/// density, as under a tenth of the bulk modulus; else nothing.  Eq. (M187)
+template <int D, int V>
+[[nodiscard]] std::string softness_warning(const Scene& scene, const mpm::Particles<D, V>& particles);
 
 }  // namespace scree::app

@@ -4,6 +4,7 @@
 
 #include "scree/run.hpp"
 #include "scree/simulation.hpp"
+#include "scree/stability.hpp"
 #include "scree/with_dimensions.hpp"
 
 #include <gtest/gtest.h>
@@ -20,6 +21,7 @@ TEST(Scenes, EachReadsAndTakesTenSteps) {
     const Scene scene = scene_of(file.path().stem());
     with_dimensions(scene, [&](auto dimensions, auto components) {
       Simulation<dimensions(), components()> simulation{scene, {2}};
+      EXPECT_EQ(softness_warning(scene, simulation.state.particles), "") << file.path();
       for (int i = 0; i < 10; ++i) simulation.step();
       EXPECT_EQ(simulation.clock.step, 10) << file.path();
     });

@@ -1,17 +1,22 @@
 // Steps and moduli with which points would fly are refused before a run begins.
 
+#include "scree/stability.hpp"
+
 #include "scree/simulation.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <string>
 
 namespace scree::app::testing {
 namespace {
 
 /// A column of cells of 0.125 m, in which sound runs at 10 m/s.
-[[nodiscard]] std::string message_of(const std::string& numerics, double viscosity, double gravity = 0,
-                                     double bulk_modulus = 1e5) {
+[[nodiscard]] Simulation<1, 1> column(const std::string& numerics, double viscosity, double gravity = 0,
+                                      double bulk_modulus = 1e5, int points_per_cell = 1) {
   const std::string text = R"([mesh]
 dimensions = 1
 size = [1.0]
@@ -22,6 +27,8 @@ y_high = "slip"
 [material]
 low = [0.0]
 high = [0.75]
+points_per_cell = )" + std::to_string(points_per_cell) +
+                           R"(
 [time]
 end = 1
 [rheology]
@@ -31,17 +38,22 @@ viscosity = )" + std::to_string(viscosity) +
                            "\nbulk_modulus = " + std::to_string(bulk_modulus) +
                            "\n[gravity]\nmagnitude = " + std::to_string(gravity) + "\n[numerics]\n" +
                            numerics;
+  return {parse_scene(text, "scene.toml").scene, {1}};
+}
+
+template <class... Keys>
+[[nodiscard]] std::string message_of(Keys... keys) {
   try {
-    const Simulation<1, 1> simulation{parse_scene(text, "scene.toml").scene, {1}};
+    static_cast<void>(column(keys...));
   } catch (const InputError& error) {
     return error.what();
   }
   return "no error";
 }
 
-/// C = 1/sqrt(2) for hat functions, and for others of up to three nodes; the share is rounded down.
+/// C = 1/sqrt(2) for a point in the middle of each cell and up to three nodes; the share is rounded down.
 TEST(StableStep, OfFlipEndsAtACourantNumberOfOneOverRootTwo) {
-  const std::string flip = "transfer = \"pic_flip\"\nshape = ";
+  const std::string flip = "transfer = \"pic_flip\"\nincrement_share = 1\nshape = ";
   const auto message = [](const std::string& shape) {
     return "[numerics] acoustic = 0.9: must be at most 0.7071: it allows steps of 0.01125 s, and from the "
            "critical one, 0.008839 s, on waves of sound and viscosity grow under transfer = \"pic_flip\", "
@@ -55,6 +67,34 @@ TEST(StableStep, OfFlipEndsAtACourantNumberOfOneOverRootTwo) {
   EXPECT_EQ(message_of(flip + "\"cubic\"\nacoustic = 0.9", 1e-3), "no error");
   EXPECT_EQ(message_of(flip + "\"linear\"\norder = \"usf\"\nacoustic = 0.9", 1e-3), "no error");
   EXPECT_EQ(message_of("acoustic = 0.999", 1e-3), "no error");
+}
+
+/// With three points in a cell the limit of FLIP on hat functions is (c dt/h)^2 = 27/46, (M174); quadratic
+/// shapes see more of the wave, and have 1.31.
+TEST(StableStep, OfFlipIsThatOfThePointsAsTheyLie) {
+  const auto message = [](const std::string& shape) {
+    return message_of("transfer = \"pic_flip\"\nincrement_share = 1\nacoustic = 0.9\nshape = " + shape, 1e-3,
+                      0, 1e5, 3);
+  };
+
+  EXPECT_EQ(message("\"linear\""),
+            "[numerics] acoustic = 0.9: must be at most 0.7661: it allows steps of 0.01125 s, and from the "
+            "critical one, 0.009577 s, on waves of sound and viscosity grow under transfer = \"pic_flip\", "
+            "shape = \"linear\", order = \"usl\"");
+  EXPECT_EQ(message("\"quadratic\""), "no error");
+}
+
+/// Half the viscous limit is 8/3 nu dt/h^2 = 2/3 in one dimension, which is more than 27/46.
+TEST(StableStep, OfViscosityUnderFlipIsLessThanTheDefaultShareInOneDimension) {
+  const auto message = [](const std::string& shape) {
+    return message_of("transfer = \"pic_flip\"\nincrement_share = 1\nshape = " + shape, 1e4, 0, 1e5, 3);
+  };
+
+  EXPECT_EQ(message("\"linear\""),
+            "[numerics] viscous = 0.5: must be at most 0.4396: it allows steps of 0.0003906 s, and from the "
+            "critical one, 0.0003435 s, on waves of sound and viscosity grow under transfer = \"pic_flip\", "
+            "shape = \"linear\", order = \"usl\"");
+  EXPECT_EQ(message("\"quadratic\""), "no error");
 }
 
 /// (c dt/h)^2 + 8/3 nu dt/h^2 = 1 at 0.008257 s, where either limit alone allows 0.0125 s or more.
@@ -71,11 +111,43 @@ TEST(StableStep, LeavesRoomForSoundAndViscosityTogether) {
 /// The deepest point lies 0.729 m under the surface: 7153 Pa.
 TEST(StiffLaw, MustBearTheWeightOfItsMaterial) {
   EXPECT_EQ(
-      message_of("", 1, 9.81, 500),
+      message_of("", 1, 9.81, 500, 3),
       "[rheology] bulk_modulus = 500: the material bears 7153 Pa at the start, 14.3 times as much, and "
       "would be compressed beyond sense: give more than that, and ten times that to keep it below a tenth "
       "[Pa]");
-  EXPECT_EQ(message_of("", 1, 9.81, 7154), "no error");
+  EXPECT_EQ(message_of("", 1, 9.81, 7154, 3), "no error");
+}
+
+[[nodiscard]] std::string warning_of(double bulk_modulus) {
+  const Simulation<1, 1> soft = column("", 1, 9.81, bulk_modulus, 3);
+  return softness_warning(soft.scene(), soft.state.particles);
+}
+
+/// The deepest point bears 7153 Pa, 0.358 of 20 kPa: exp(0.358) = 1.43. On the base 7358 Pa press, r = 0.368:
+/// (exp(r) - 1)/r = 1.209.  Eq. (M187)
+TEST(SoftLaw, IsWarnedOf) {
+  EXPECT_EQ(
+      warning_of(2e4),
+      "[rheology] bulk_modulus = 20000: at the start the material is up to 43 % denser, and 21 % heavier in "
+      "all, than where nothing presses, and will swell and sink by as much as it spreads and heaps up: "
+      "give 7.15e+04 or more to keep the first below a tenth [Pa]");
+  EXPECT_EQ(warning_of(7.2e4), "");
+}
+
+/// It is exp(r) times as dense at the deepest point, r by its own depth, and (exp(r) - 1)/r times as heavy.
+TEST(SoftLaw, MakesAColumnHeavierThanItsVolumeTells) {  // Eq. (M187)
+  const double whole = 1000 * 9.81 * 0.75 / 2e4;
+  const double at_point = whole * 35 / 36;  // 18 points
+  const Simulation<1, 1> soft = column("", 1, 9.81, 2e4, 3);
+
+  const auto density = soft.state.particles.density.values();
+  const auto mass = soft.state.particles.mass.values();
+
+  const double of_four_steps = 4 * std::pow(whole / 4, 5) / 120 * std::exp(whole);  // of the Runge-Kutta rule
+  EXPECT_NEAR(*std::max_element(density.begin(), density.end()) / 1000, std::exp(at_point), of_four_steps);
+  const double of_midpoints = whole * whole / (24 * 18 * 18) * std::exp(whole);
+  EXPECT_NEAR(std::accumulate(mass.begin(), mass.end(), 0.0) / 750, std::expm1(whole) / whole,
+              of_midpoints + of_four_steps);
 }
 
 }  // namespace
