@@ -67,5 +67,64 @@ TEST(Overlap, ThinnerThanACellIsNotSeen) {
   EXPECT_EQ(message_of(ball("[0.115, 0.45]", 0.05) + ball("[0.185, 0.45]", 0.05)), "no error");
 }
 
+/// The same block in space, 0.4 m wide, with nodes 0.1 m apart.
+[[nodiscard]] std::string message_in_space(const std::string& surroundings) {
+  const std::string scene = R"([mesh]
+dimensions = 3
+size = [0.4, 0.4, 0.5]
+cells = 4
+[boundaries]
+x = "periodic"
+y = "periodic"
+z_low = "slip"
+z_high = "slip"
+[material]
+low = [0.0, 0.0, 0.15]
+high = [0.4, 0.4, 0.25]
+points_per_cell = 1
+[rheology]
+law = "newtonian"
+viscosity = 2e4
+bulk_modulus = 1e7
+density = 1000
+[numerics]
+maximum_dt = 1e-4
+[time]
+end = 100
+)";
+  try {
+    const Simulation<3, 3> block{parse_scene(scene + surroundings, "scene.toml").scene, {1}};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Overlap, InSpaceIsRefused) {
+  const std::string ground_in_space =
+      "[terrain]\nsurface = \"plane\"\npoint = [0.0, 0.0, 0.12]\nnormal = [0.0, 0.0, 1.0]\n"
+      "contact = \"slides\"\n";
+
+  EXPECT_EQ(
+      message_in_space(ground_in_space + ball("[0.2, 0.2, 0.05]", 0.08)),
+      "[[bodies]] 1 and [terrain] overlap: the place (0.2, 0.2, 0) m is 0.03 m deep in the one and 0.12 m in "
+      "the other; move them apart, or say may_overlap = true of the body");
+  EXPECT_EQ(
+      message_in_space(ball("[0.15, 0.2, 0.45]", 0.08) + ball("[0.25, 0.2, 0.42]", 0.09)),
+      "[[bodies]] 2 and [[bodies]] 1 overlap: the place (0.2, 0.2, 0.4) m is 0.0361484 m deep in the one and "
+      "0.00928932 m in the other; move them apart, or say may_overlap = true of the body");
+  EXPECT_EQ(message_in_space(ground_in_space + ball("[0.2, 0.2, 0.05]", 0.08, "may_overlap = true\n")),
+            "no error");
+}
+
+TEST(Overlap, InSpaceIsNoneOfBodiesBesideEachOther) {  // seen along y they cover each other
+  EXPECT_EQ(message_in_space(ball("[0.2, 0.1, 0.42]", 0.09) + ball("[0.2, 0.3, 0.42]", 0.09)), "no error");
+}
+
+TEST(Overlap, InSpaceThinnerThanACellIsNotSeen) {
+  EXPECT_EQ(message_in_space(ball("[0.115, 0.2, 0.45]", 0.05) + ball("[0.185, 0.2, 0.45]", 0.05)),
+            "no error");
+}
+
 }  // namespace
 }  // namespace scree::app::testing
