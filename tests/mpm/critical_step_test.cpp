@@ -86,7 +86,8 @@ constexpr double enough = 1e5;  // [-], of growth: the waves are linear still
 
 [[nodiscard]] std::vector<Bar> every_bar() {
   std::vector<Bar> bars;
-  const std::vector<AnyTransfer> transfers{Apic{}, Tpic{}, PicFlip{1}, PicFlip{0.5}, Aflip{1}};
+  std::vector<AnyTransfer> transfers = every<AnyTransfer>();
+  transfers.emplace_back(PicFlip{0.5});
   for (const Index per_cell : {1, 2}) {
     for (const AnyShape& shape : every_shape_for(static_cast<double>(per_cell))) {
       for (const AnyTransfer& transfer : transfers) {
