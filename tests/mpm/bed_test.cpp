@@ -319,7 +319,8 @@ struct StripInABowl {
     particles.resize(4 * num_along);
     for (Index p = 0; p < particles.size(); ++p) {
       const double radius = 1 - (static_cast<double>(p % 4) + 0.5) * pitch;
-      const double angle = 60 * degree + static_cast<double>(p / 4 - num_along / 2) * pitch;
+      const Index along = p / 4 - num_along / 2;
+      const double angle = 60 * degree + static_cast<double>(along) * pitch;
       particles.position.component(0)[p] = -radius * std::sin(angle);
       particles.position.component(1)[p] = 1 - radius * std::cos(angle);
       particles.mass.component(0)[p] = rubber.density * radius * pitch * pitch;
