@@ -193,6 +193,7 @@ void add_all() {
   add<D>("aflip_quadratic", Quadratic{}, Aflip{1}, {.fill = fill});
   add<D>("flip_linear", Linear{}, PicFlip{1}, {.fill = fill});
   add<D>("apic_quadratic_wall", Quadratic{}, Apic{}, {.fill = fill, .base = Base::wall});
+  add<D>("apic_cubic_wall", Cubic{}, Apic{}, {.fill = fill, .base = Base::wall});
   add<D>("apic_quadratic_wall_that_reads", Quadratic{}, Apic{},
          {.fill = fill, .base = Base::wall_that_reads});
   add<D>("apic_quadratic_body_that_reads", Quadratic{}, Apic{},

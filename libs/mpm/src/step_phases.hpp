@@ -111,6 +111,16 @@ template <int D, int V>
   return stages.transfer->gathers_cut() && std::ranges::any_of(stages.boundaries, cuts);
 }
 
+/// Copies where the points of a block are.
+template <int D, int V>
+void keep_positions(State<D, V>& state, const ParticleBlock<D>& block) noexcept {
+  const Index stride = state.particles.size();
+  for (int axis = 0; axis < D; ++axis) {
+    const double* const x = state.particles.position.component(axis);
+    std::copy(x + block.begin, x + block.end, state.spare.position.data() + axis * stride + block.begin);
+  }
+}
+
 /// What nodes give to a block's points, beside walls that cut shapes off too.
 /// @param transfer that takes it  @param position of all points before, if that mends gradients
 template <int D, int V>
@@ -127,10 +137,10 @@ BlockMotion gather_block(State<D, V>& state, const Stages<D, V>& stages, const T
 template <int D, int V>
 void gather(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
   const Stopwatch watch{state.seconds.gather};
-  if (mends_gradients(stages))
-    std::ranges::copy(state.particles.position.values(), state.spare.position.begin());
+  const bool mends = mends_gradients(stages);
   state.blocks.for_each(threads, [&](Index b) {
     const ParticleBlock<D>& block = state.blocks.blocks[static_cast<std::size_t>(b)];
+    if (mends) keep_positions(state, block);
     state.block_results[static_cast<std::size_t>(b)].motion =
         gather_block(state, stages, *stages.transfer, block, state.spare.position.data(), dt);
     if (stages.point_term) stages.point_term->gather(state.particles, block, dt);
