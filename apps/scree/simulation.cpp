@@ -10,6 +10,7 @@
 #include "scree/stored_points.hpp"
 
 #include <scree/io/bounds.hpp>
+#include <scree/mpm/append.hpp>
 #include <scree/mpm/limiting_point.hpp>
 #include <scree/mpm/seed_region.hpp>
 
@@ -56,6 +57,15 @@ template <int D, int V>
   return {static_cast<int>(std::min<Index>(threads.count, 1 + num_points / points_per_thread))};
 }
 
+/// Checks before the run what take_in() does when a layer is due.
+template <int D, int V>
+void require_layer(const mpm::Particles<D, V>& layer, const mpm::Particles<D, V>& particles,
+                   const mpm::Stages<D, V>& stages) {
+  mpm::require_columns(particles, layer);
+  stages.stress->require_inputs(layer);
+  if (stages.node_means) stages.node_means->require_inputs(layer);
+}
+
 }  // namespace
 
 template <int D, int V>
@@ -70,20 +80,22 @@ Simulation<D, V>::Simulation(const Scene& scene, Threads threads)
   for (const InflowScene& inflow : scene_.inflows) streams.inflows.push_back(make_inflow(inflow));
   streams.outflows = outflows_of<D>(scene_, grid());
   streams.taken.resize(streams.outflows.size());
-  if (!scene_.grains) return;
-  mixture_.emplace(scene_);
-  if (scene_.segregation) {
+  if (scene_.grains) mixture_.emplace(scene_);
+  if (scene_.grains && scene_.segregation) {
     Vector<D> direction = Eigen::Map<const Vector<D>>{stages_.gravity.data()};
     if (direction.norm() > 0) direction.normalize();
     coupling_.emplace(*scene_.segregation, scene_.grains->classes, grid(), scene_.shape, direction,
                       symmetry_of(scene_), threads_);
   }
-  if (crushes(scene_.law)) {
+  if (scene_.grains && crushes(scene_.law)) {
     crushing_.emplace(state.particles, *scene_.grains, scene_.mixture.ultimate_fractal_dimension);
     if (crushing_->advance(state.particles)) follow_grains();
   }
-  observe_fractions(state.particles, tally.fractions);
-  tally.first_class_masses = class_masses(state.particles);
+  if (scene_.grains) {
+    observe_fractions(state.particles, tally.fractions);
+    tally.first_class_masses = class_masses(state.particles);
+  }
+  for (const auto& inflow : streams.inflows) require_layer(inflow.layer(), state.particles, stages_);
 }
 
 /// Its layer goes through all that gives points of the run their columns.

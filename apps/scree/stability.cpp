@@ -34,6 +34,12 @@ template <int D, int V>
   return std::floor(value / unit) * unit;
 }
 
+/// Three digits, rounded up.
+[[nodiscard]] double lengthened(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
+  return std::ceil(value / unit) * unit;
+}
+
 template <class List>
 [[nodiscard]] std::string_view name_in(const List& list) {
   return std::visit([](const auto& entry) { return entry.name; }, list);
@@ -92,7 +98,7 @@ void require_stiff(const Scene& scene, const Filling<D>& filling, const mpm::Sta
   if (pressure < modulus) return;
   throw InputError{fmt::format(
       "[rheology] bulk_modulus = {:g}: the material bears {:.4g} Pa at the start, {:.3g} times as much, and "
-      "would be compressed beyond sense: give more than that, and ten times that to keep it below a tenth "
+      "would be compressed beyond sense: give more than that, and ten times that to keep it to about a tenth "
       "[Pa]",
       modulus, pressure, pressure / modulus)};
 }
@@ -112,14 +118,17 @@ std::string softness_warning(const Scene& scene, const mpm::Particles<D, V>& par
     mass += particles.mass.component(0)[p];
     volume += particles.mass.component(0)[p] / here;
   }
-  const double ratio = std::log(highest / density);
-  if (!(ratio >= soft)) return {};
+  if (!(std::log(highest / density) >= soft)) return {};
+  // highest/density = exp(weight/modulus) (1 + surface/modulus), no more than exp((weight + surface)/modulus)
+  const double surface = scene.material.surface_pressure;
+  const double weight = modulus * (std::log(highest / density) - std::log1p(surface / modulus));
+  constexpr double margin = 1 + 1e-6;  // density is integrated in steps
   return fmt::format(
-      "[rheology] bulk_modulus = {:g}: at the start the material is up to {:.2g} % denser, and {:.2g} % "
-      "heavier in "
-      "all, than where nothing presses, and will swell and sink by as much as it spreads and heaps up: give "
-      "{:.3g} or more to keep the first below a tenth [Pa]",
-      modulus, 100 * (highest / density - 1), 100 * (mass / (density * volume) - 1), modulus * ratio / soft);
+      "[rheology] bulk_modulus = {:g}: at the start the material is up to {:.0f} % denser, and {:.0f} % "
+      "heavier in all, than where nothing presses, and will swell and sink by as much as it spreads and "
+      "heaps up: give {:.3g} or more to keep the first to about a tenth [Pa]",
+      modulus, 100 * (highest / density - 1), 100 * (mass / (density * volume) - 1),
+      lengthened((weight + surface) / soft * margin));
 }
 
 #define SCREE_INSTANCE(D, V)                                                             \

@@ -10,8 +10,9 @@
 
 namespace scree::app {
 
-/// Checks that no wave of sound and viscosity grows in the first step on points as they lie, and says which
-/// share of the limits would do.  @see mpm::critical_sums()
+/// Checks that no wave of sound and viscosity along an axis of the mesh grows in the first step on points as
+/// they lie, and says which share of the limits would do. Waves across the mesh are left to the limits
+/// themselves.  @see mpm::critical_sums(), Eqs. (M17), (M19)
 /// @throws InputError naming the key of [numerics], the largest that it may be, and the critical step.
 template <int D, int V>
 void require_stable_step(const Scene& scene, const mpm::State<D, V>& state);

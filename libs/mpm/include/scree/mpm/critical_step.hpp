@@ -13,27 +13,31 @@ namespace scree::mpm {
 /// with which no wave of compression along that axis grows, sound and viscosity alike: the least over wave
 /// numbers, with what points at these places give to a node and take from it in the mean [-]. Exact where
 /// points form a lattice along the mesh; nodes of little mass have less, means over cells and filters more.
-/// Takes a pass over the points for each of 32 wave numbers: for once, when a run is assembled.
+/// Waves across the mesh are not seen: in two and three dimensions theirs may be lower, which is left to
+/// (M17) and (M19). Takes a pass over the points for each of 32 wave numbers: for once, when a run is
+/// assembled.
+/// @throws InputError naming a point without a finite position, or if no point has mass.
 /// @see Eqs. (M173), (M174)
 template <int D, int V>
 [[nodiscard]] Vector<D> critical_sums(const Particles<D, V>& particles, const CartesianGrid<D>& grid,
                                       const AnyShape& shape, const AnyTransfer& transfer, Order order);
 
-/// No shape, transfer, order and place of points has a critical sum below this [-].  Eq. (M174)
+/// No shape, transfer, order and place of points has a critical sum along an axis below this [-].  Eq. (M174)
 inline constexpr double least_critical_sum = 0.5;
 
 /// The step at which the sum along an axis reaches what critical_sums() has found [s]; infinite without sound
-/// and viscosity.  Eq. (M173)
+/// and viscosity, and no number if one of them or a sum is none. Of waves along the axes alone.  Eq. (M173)
 template <int D>
 [[nodiscard]] double critical_step(const Vector<D>& sums, const CartesianGrid<D>& grid,
                                    const Rates& rates) noexcept;
 
 /// For each step of a run whose steps are not those of stable_time_step(), or at large shares of its limits:
 /// a few operations, with the rates that the last step has left. These are the largest of all points, so that
-/// where a few are much faster than the rest the critical step is on the safe side.
+/// where a few are much faster than the rest the critical step is on the safe side. A longer step is unstable
+/// along an axis; a shorter one may still be across the mesh, where (M17) and (M19) bind.
 /// @param sums from critical_sums()
-/// @throws InputError naming dt [s], the critical step, the limit that asks for most of it, and its point, if
-/// dt is longer or not a number.
+/// @throws InputError naming dt [s], the critical step, the limit that asks for most of it, and the point
+/// where sound or viscosity is largest, if dt is longer, or one of the two is not a number.
 template <int D, int V>
 void require_stable(const State<D, V>& state, const Stages<D, V>& stages, const Vector<D>& sums, double dt);
 
