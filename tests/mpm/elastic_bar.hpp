@@ -48,7 +48,7 @@ struct PointFamily {
 };
 
 /// What a step makes of a plane wave of small amplitude on points that stay where they are, or all move on
-/// alike: the step of docs/equations/mpm.md written for one wave.  Eqs. (M85), (M192)
+/// alike: the step of docs/schemes/mpm_verification.md written for one wave.  Eqs. (M85), (M192)
 class WaveRecursion {
  public:
   explicit WaveRecursion(const BarWave& wave) : wave_{wave}, phase_{wave.wave_number() * wave.spacing()} {

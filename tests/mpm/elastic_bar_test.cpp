@@ -227,11 +227,25 @@ double growth_in(const BarWave& wave, int num_steps) {
   return exact.size() / first;
 }
 
+/// ln |lambda_max(A)| s of a wave that moves by s = 1/8: of eight steps, when all but the fastest has been
+/// left behind.
+double predicted_rate(const BarWave& wave, int num_steps) {
+  WaveRecursion exact{wave};
+  for (int n = 0; n < num_steps; ++n) exact.advance();
+  const double before = exact.size();
+  for (int n = 0; n < 8; ++n) exact.advance();
+  return std::log(exact.size() / before) / 8;
+}
+
 TEST(MovingBar, GrowsNoiseUnderFlipAtThePredictedRate) {  // Eq. (M192)
   // What a node gave to its points no node sees, in part, once they have moved: work is not given back where
   // it was taken. Nothing else moves the bar, so the energy is that of its motion through the mesh.
   EXPECT_GT(growth_in(moving_wave(Linear{}, PicFlip{1}), 400), 100);
   EXPECT_GT(growth_in(moving_wave(Quadratic{}, PicFlip{1}), 3200), 10);
+
+  // Half of the last digit.
+  EXPECT_NEAR(predicted_rate(moving_wave(Linear{}, PicFlip{1}), 4000), 0.0162, 5e-5);
+  EXPECT_NEAR(predicted_rate(moving_wave(Quadratic{}, PicFlip{1}), 40000), 0.00132, 5e-6);
 }
 
 TEST(MovingBar, LosesNoiseUnderXpicAndUnderApicWithQuadraticShapes) {  // Eq. (M192)
