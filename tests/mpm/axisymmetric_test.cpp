@@ -58,7 +58,7 @@ constexpr double excess = 0.01;  // of the density, everywhere
 constexpr double pressure = 1e4;
 
 constexpr double push_dt = 1e-4;  // [s]
-/// What a point moves by in such a step , h = 1/8 m, under a push of one [spacings]: its weights are
+/// What a point moves by in such a step, h = 1/8 m, under a push of one [spacings]: its weights are
 /// those of before.
 constexpr double moved = push_dt * push_dt * pressure / 1000 * (8 * 8);
 
@@ -180,7 +180,7 @@ double error_after_a_period(Index num_cells, const AnyShape& shape, const AnyTra
   return std::sqrt(error / norm);
 }
 
-TEST(Axisymmetric, ADiskBreathesWithSecondOrder) {
+TEST(Axisymmetric, ADiskBreathesWithSecondOrderButForALogarithm) {
   // h^2 of the mesh, h^2 ln(R/h) of the mass of the node on the axis, as of Eq. (M178), and h^3 of what each
   // of the 1/h steps takes, Eqs. (M87), (M88).
   const double logarithm = std::log2(std::log(32.0) / std::log(16.0));
