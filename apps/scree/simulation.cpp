@@ -59,11 +59,18 @@ template <int D, int V>
 
 /// Checks before the run what take_in() does when a layer is due.
 template <int D, int V>
-void require_layer(const mpm::Particles<D, V>& layer, const mpm::Particles<D, V>& particles,
-                   const mpm::Stages<D, V>& stages) {
-  mpm::require_columns(particles, layer);
-  stages.stress->require_inputs(layer);
-  if (stages.node_means) stages.node_means->require_inputs(layer);
+void require_layers(const std::vector<mpm::Inflow<D, V>>& inflows, const mpm::Particles<D, V>& particles,
+                    const mpm::Stages<D, V>& stages) {
+  for (std::size_t i = 0; i < inflows.size(); ++i) {
+    const mpm::Particles<D, V>& layer = inflows[i].layer();
+    try {
+      mpm::require_columns(particles, layer);
+      stages.stress->require_inputs(layer);
+      if (stages.node_means) stages.node_means->require_inputs(layer);
+    } catch (const InputError& error) {
+      throw InputError{"[[inflow]] " + std::to_string(i + 1) + ": " + error.what()};
+    }
+  }
 }
 
 }  // namespace
@@ -95,7 +102,7 @@ Simulation<D, V>::Simulation(const Scene& scene, Threads threads)
     observe_fractions(state.particles, tally.fractions);
     tally.first_class_masses = class_masses(state.particles);
   }
-  for (const auto& inflow : streams.inflows) require_layer(inflow.layer(), state.particles, stages_);
+  require_layers(streams.inflows, state.particles, stages_);
 }
 
 /// Its layer goes through all that gives points of the run their columns.

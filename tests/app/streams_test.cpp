@@ -275,6 +275,21 @@ TEST(BadStream, MaterialInItsBoxIsRefused) {
             "[[inflow]] 1: [material] begins in its box, at (0.075, 0.025) m: leave the box to the stream");
 }
 
+/// The second stream, which begins later, has no coarse grains: the floor is as rough as there are.
+TEST(BadStream, OfWhatAWallCannotReadIsRefusedBeforeTheRun) {
+  std::string text =
+      with(with(meeting, "start = 0.05", "fractions = [1.0, 0.0]\nstart = 0.05"), "y_low = \"slip\"",
+           "y_low = {law = \"material_friction\", share = 1, friction = \"coarse_fraction\"}");
+  text = with(text, "law = \"newtonian\"\nviscosity = 1\n",
+              "law = \"mixture_mu_of_i\"\nmu_s_fine = 0.3\nmu_s_coarse = 0.5\nmu_2_fine = 0.644\n"
+              "mu_2_coarse = 0.781\nI_0_fine = 0.279\nI_0_coarse = 0.279\ngrain_density = 2500\n"
+              "shear_rate_floor = 1\n");
+
+  EXPECT_EQ(message_of(text),
+            "[[inflow]] 2: the law 'material_friction' reads friction = 0 of material point 0 at "
+            "(0.9875, 0.0125) m: must be finite and above 0");
+}
+
 TEST(BadStream, ABodyInItsBoxIsRefused) {
   const std::string ball =
       "[[bodies]]\nsurface = \"ball\"\ncentre = [0.025, 0.025]\nradius = 0.03\ncontact = \"slides\"\n";
