@@ -129,6 +129,32 @@ TEST(CellSort, BringsPointsBackIntoAPeriodicAxis) {
   }
 }
 
+/// Where a point at x lies after a sort on a periodic axis of four cells.
+[[nodiscard]] double place_in_period(double origin, double length, double x) {
+  const CartesianGrid<1> grid{Vector<1>{origin}, Vector<1>{length / 4}, {4}, {true}};
+  Particles<1> particles;
+  particles.resize(1);
+  particles.mass.component(0)[0] = 1;
+  particles.position.component(0)[0] = x;
+  static_cast<void>(cell_sort(particles, grid, 0, one_thread));
+  return particles.position.component(0)[0];
+}
+
+/// A rounding below the end, (x - origin)/length rounds to 1.
+TEST(CellSort, LeavesAPointThatLiesInThePeriodWhereItIs) {
+  EXPECT_EQ(place_in_period(-1, 3, 1.9999999999999998), 1.9999999999999998);
+  EXPECT_EQ(place_in_period(-0.3, 0.7, 0.3999999999999999), 0.3999999999999999);
+  EXPECT_EQ(place_in_period(-0.3, 0.7, -0.3), -0.3);
+}
+
+TEST(CellSort, TakesWhatRoundingTakesPastAnEndToTheOrigin) {
+  EXPECT_EQ(place_in_period(0, 1, -1e-17), 0);               // a period on it is 1
+  EXPECT_EQ(place_in_period(-1, 3, 7.999999999999999), -1);  // three back: 9 roundings before -1
+  EXPECT_EQ(place_in_period(-0.3, 0.7, -1.0), -0.3);         // one on: a rounding before -0.3
+  EXPECT_EQ(message_of<RunError>([] { static_cast<void>(place_in_period(0, 1, std::nan(""))); }),
+            "material point 0 at (nan) m has no finite position");
+}
+
 /// The message when point 1 of three stands at (x, 0.05).
 std::string message_with_point_at(double x) {
   const auto grid = cube<2>(20, 0.1, false);

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -414,6 +415,59 @@ TEST(CutShapes, TakeThePowerThatTheirForceGives) {  // Eqs. (M10), (M197), at wa
       near(powers<1>(shape, rule), 1);
       near(powers<2>(shape, rule), 2);
       near(powers<3>(shape, rule), 3);
+    }
+  }
+}
+
+/// The forces [N] on nodes 1 m apart of a point of 1 m^3 under 1 Pa at `place` [m], walls with friction at 0
+/// and at 8 m, and last the gradient [1/s] that it takes of nodes with the velocity cos x.
+[[nodiscard]] std::vector<double> given_and_taken(const AnyTransfer& rule, double place) {
+  const auto grid = cube<1>(8, 1, false);
+  Particles<1> particles;
+  particles.resize(1);
+  for (Column* column : {&particles.mass, &particles.density, &particles.stress}) column->component(0)[0] = 1;
+  particles.position.component(0)[0] = place;
+  const auto transfer = make_transfer<1, 1>(Cubic{}, rule);
+  Nodes<1> nodes{grid, transfer->record()};
+  const auto walls = box<1>();
+  const ParticleBlocks<1> blocks =
+      cell_sort(particles, grid, transfer->stencil_shift(), one_thread, transfer->sort_edge());
+  const ParticleBlock<1>& block = blocks.blocks.front();
+  transfer->scatter(particles, block, nodes, 1);
+  for (const auto& wall : walls) transfer->scatter_cut(particles, block, nodes, *wall->cuts_shapes(), 1);
+  for (const auto& wall : walls) wall->fold(nodes);
+  const NodeRecord layout = nodes.record();
+  const int force = layout.has_increment ? layout.increment() : NodeRecord::momentum;
+  std::vector<double> result;
+  for (Index n = 0; n < nodes.num_nodes(); ++n) {
+    const double x = node_position(nodes, n)[0];
+    if (0 <= x && x <= 8) result.push_back(nodes[n][force]);
+    nodes[n][NodeRecord::momentum] = std::cos(x);
+  }
+  for (const auto& wall : walls) wall->reflect(nodes);
+  const Column position = particles.position;
+  static_cast<void>(transfer->gather(particles, block, nodes, 0));
+  for (const auto& wall : walls) {
+    transfer->gather_cut(particles, block, nodes, *wall->cuts_shapes(), position.component(0), 0);
+  }
+  result.push_back(particles.velocity_gradient.component(0)[block.begin]);
+  return result;
+}
+
+/// A slope 3 w (i - x) changes by 3 (2/3 2 + 2/3) = 6/m or less per m; the wall's node gets two images more
+/// of it, and an image has up to three times the velocity of a node: 6 (1 + 1 + 1 + 3) for the gradient.
+TEST(CutShapes, GiveAndTakeOnTheWallWhatTheyDoBesideIt) {  // Eq. (M197)
+  constexpr double inside = 1e-9;                          // [m]
+  for (const AnyTransfer& rule : {AnyTransfer{Apic{}}, AnyTransfer{Aflip{0}}}) {
+    for (const auto& [on, beside] :
+         {std::pair{0.0, inside}, std::pair{1e-17, inside}, std::pair{8.0, 8 - inside}}) {
+      const std::vector<double> at_wall = given_and_taken(rule, on);
+      const std::vector<double> limit = given_and_taken(rule, beside);
+      ASSERT_EQ(at_wall.size(), limit.size());
+      EXPECT_GT(std::abs(*std::ranges::max_element(limit)), 0.5);
+      for (std::size_t i = 0; i < limit.size(); ++i) {
+        EXPECT_NEAR(at_wall[i], limit[i], 36 * inside) << named(Cubic{}, rule) << ", " << on << " m, " << i;
+      }
     }
   }
 }

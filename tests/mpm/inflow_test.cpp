@@ -352,7 +352,7 @@ TEST(Inflow, RefusesALayerWithoutTheColumnsOfTheRun) {
   jet.state->particles.add_column({"label", "l", "-"}, 1);
 
   EXPECT_EQ(message_of<InputError>([&] { jet.advance(4, jet_dt); }),
-            "append: the points that are added lack the column 'label' in its place");
+            "the points that are added lack the column 'label' in its place");
 }
 
 TEST(Inflow, RefusesALayerThatAWallCannotRead) {

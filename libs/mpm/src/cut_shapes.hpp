@@ -5,8 +5,10 @@
 #include <scree/mpm/boundary.hpp>
 #include <scree/mpm/particle_blocks.hpp>
 #include <scree/mpm/particles.hpp>
+#include <scree/mpm/shapes/cubic.hpp>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace scree::mpm::detail {
@@ -119,26 +121,27 @@ void move_to_cut(const ShapeType& shape, const Particles<D, V>& particles, const
 }
 
 /// By how much the slope of the best affine velocity, where three nodes are left, exceeds the one that
-/// kernels take: times this the second difference of velocity along the axis.  [1/m], Eq. (M197)
-template <class ShapeType, int D>
-[[nodiscard]] double missing_slope(const ShapeType& shape, const PointStencil<D, ShapeType::support>& stencil,
-                                   const CutStencil& cut, std::size_t axis, double spacing) noexcept {
-  const double whole = shape.second_moment(stencil.xi[axis]);
-  const double left = whole - 2 * stencil.weight[axis][cut.image];
+/// kernels take: times this the second difference of velocity along the axis. Of cubic shapes, with their
+/// weights put in: on the wall itself it is 0, and no moment that is left is divided by.
+/// [1/m], Eq. (M197)
+template <int D>
+[[nodiscard]] double missing_slope(const PointStencil<D, Cubic::support>& stencil, const CutStencil& cut,
+                                   std::size_t axis, double spacing) noexcept {
   const double arm = static_cast<double>(cut.beyond) - stencil.xi[axis];
-  return stencil.weight[axis][cut.beyond] * arm * (1 / left - 1 / whole) / spacing;
+  const double s = 2 - std::abs(arm);  // from the wall [spacings]
+  return 3 * s * s * stencil.weight[axis][cut.image] * arm / ((3 - 3 * s + s * s) * spacing);
 }
 
 /// The force of points that take their gradient by these slopes.  @param time 1, or of an impulse [s]
-template <class ShapeType, int D, int V>
-void push_by_cut(const ShapeType& shape, const Particles<D, V>& particles, const ParticleBlock<D>& block,
+template <int D, int V>
+void push_by_cut(const Cubic& shape, const Particles<D, V>& particles, const ParticleBlock<D>& block,
                  const MeshEnd& end, double time, Nodes<D>& nodes) noexcept {
   const auto axis = static_cast<std::size_t>(end.axis);
-  const CutStencil cut = cut_stencil<D, ShapeType::support>(nodes.grid(), end);
+  const CutStencil cut = cut_stencil<D, Cubic::support>(nodes.grid(), end);
   const NodeRecord layout = nodes.record();
   const int place = layout.has_increment ? layout.increment() : NodeRecord::momentum;
   const auto push = [&](Index p, const auto& stencil) {
-    const double slope = missing_slope(shape, stencil, cut, axis, nodes.grid().spacing()[end.axis]);
+    const double slope = missing_slope(stencil, cut, axis, nodes.grid().spacing()[end.axis]);
     const double volume = particles.mass.component(0)[p] / particles.density.component(0)[p];
     for_each_beside(stencil, axis, [&](double weight, Index node) {
       double* const wall = nodes[node + stencil.node[axis][cut.wall]] + place;
@@ -158,13 +161,13 @@ void push_by_cut(const ShapeType& shape, const Particles<D, V>& particles, const
 
 /// What points take by these slopes beyond what kernels take.
 /// @param position of all points when they gathered [m]
-template <class ShapeType, int D, int V>
-void mend_gradients(const ShapeType& shape, const double* position, const Nodes<D>& nodes, const MeshEnd& end,
+template <int D, int V>
+void mend_gradients(const Cubic& shape, const double* position, const Nodes<D>& nodes, const MeshEnd& end,
                     double dt, const ParticleBlock<D>& block, Particles<D, V>& particles) noexcept {
   const auto axis = static_cast<std::size_t>(end.axis);
-  const CutStencil cut = cut_stencil<D, ShapeType::support>(nodes.grid(), end);
+  const CutStencil cut = cut_stencil<D, Cubic::support>(nodes.grid(), end);
   const auto mend = [&](Index p, const auto& stencil) {
-    const double slope = missing_slope(shape, stencil, cut, axis, nodes.grid().spacing()[end.axis]);
+    const double slope = missing_slope(stencil, cut, axis, nodes.grid().spacing()[end.axis]);
     const double before = volume_ratio<double, D, V>(gradient_of(particles, p), dt);
     for_each_beside(stencil, axis, [&](double weight, Index node) {
       const double* const wall = nodes[node + stencil.node[axis][cut.wall]] + NodeRecord::momentum;

@@ -4,6 +4,7 @@
 
 #include <scree/mpm/law_inputs.hpp>
 #include <scree/mpm/node_means.hpp>
+#include <scree/pack_size.hpp>
 
 #include <algorithm>
 #include <array>
@@ -24,12 +25,12 @@ constexpr Extremes no_value{std::numeric_limits<double>::infinity(),
 /// Of the points of a block that have mass: by lanes, as blocks are whole packs, so that it costs a reading.
 [[nodiscard]] Extremes extremes_of(const double* values, const double* mass, Index begin,
                                    Index end) noexcept {
-  constexpr std::size_t lanes = 8;
+  constexpr auto lanes = static_cast<std::size_t>(pack_size);
   std::array<double, lanes> lowest;
   std::array<double, lanes> highest;
   lowest.fill(no_value.lowest);
   highest.fill(no_value.highest);
-  for (Index p = begin; p < end; p += static_cast<Index>(lanes)) {
+  for (Index p = begin; p < end; p += pack_size) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const double m = mass[p + static_cast<Index>(lane)];
       const double value = values[p + static_cast<Index>(lane)];

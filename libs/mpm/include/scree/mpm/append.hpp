@@ -20,9 +20,9 @@ void require_columns(const Particles<D, V>& particles, const Particles<D, V>& mo
     const Quantity& wanted = columns[i]->quantity();
     require(i < added.size() && added[i]->quantity() == wanted &&
                 added[i]->num_components() == columns[i]->num_components(),
-            "append: the points that are added lack the column '" + wanted.name + "' in its place");
+            "the points that are added lack the column '" + wanted.name + "' in its place");
   }
-  require(added.size() == columns.size(), "append: the points that are added have a column too many");
+  require(added.size() == columns.size(), "the points that are added have a column too many");
 }
 
 /// Adds points after those that are there, with all that they carry. Points of a run belong in blocks: see

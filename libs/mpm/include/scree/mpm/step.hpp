@@ -55,10 +55,10 @@ struct BlockResult {
   BlockMotion motion;
 };
 
-/// Copies of columns that extra passes change and give back, and what they hand on within a step; empty where
+/// Copies of columns from before a pass that changes them, and what passes hand on within a step; empty where
 /// no stage asks for them.
 struct Spare {
-  std::vector<double> position;           ///< [m]
+  std::vector<double> position;           ///< also where gradients beside walls are mended [m]
   std::vector<double> velocity;           ///< [m/s]
   std::vector<double> velocity_gradient;  ///< [1/s]
   std::vector<double> density;            ///< [kg/m^3]

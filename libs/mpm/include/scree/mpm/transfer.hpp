@@ -37,6 +37,7 @@ class Transfer {
   /// After `scatter`, where a wall cuts shape functions off: what the block's points gave to images past that
   /// end will come home with the velocity that they have, by their gradient, where it comes, and their force
   /// with the slopes by which they take it.  Eqs. (M183), (M197)
+  /// @param dt of the step [s], as of `scatter`: forces are impulses over it unless nodes have increments
   virtual void scatter_cut(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
                            const MeshEnd& end, double dt) const noexcept = 0;
 
@@ -50,6 +51,7 @@ class Transfer {
   /// After `gather`, where a wall cuts shape functions off: makes gradients the best affine ones by the
   /// weights that are left, and density alike.  Eq. (M197)
   /// @param position of all points as they gathered, in the form of its column
+  /// @param dt of the step [s], in which densities change by the gradients
   virtual void gather_cut(Particles<D, V>& particles, const ParticleBlock<D>& block, const Nodes<D>& nodes,
                           const MeshEnd& end, const double* position, double dt) const noexcept = 0;
 };

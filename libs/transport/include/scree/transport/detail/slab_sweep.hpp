@@ -64,8 +64,8 @@ class SlabSweep {
     return {largest_limit_.value(), largest_speed_.value()};
   }
 
-  /// The first site whose CFL number per second is not below `limit` [1/s], where a rate of change that is
-  /// not finite makes it none; no_site if there is none. Sweeps once more.
+  /// The first site whose CFL number per second is not below `limit` [1/s]; it counts as not below where a
+  /// rate of change is not finite. no_site if there is none. Sweeps once more.
   [[nodiscard]] Index first_not_below(double limit, const Problem& problem, const Fields<N>& fields,
                                       double time) noexcept {
     is_looking_ = true;
