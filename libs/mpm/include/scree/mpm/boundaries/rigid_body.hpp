@@ -105,15 +105,16 @@ class RigidBody final : public Boundary<D> {
 };
 
 /// @param input what the law reads, but for what is `carried` by the points there
-/// @throws InputError if the motion's axis is none, or the body does not stay one of revolution round an axis
-///   of symmetry, as check_axial() sees it.
+/// @param motion round an axis of symmetry only along it: what it says of the radius after the start is not
+/// used
+/// @throws InputError if the motion's axis is none, or the body turns round an axis of symmetry.
 template <int D, WallLaw Law>
 [[nodiscard]] std::unique_ptr<Boundary<D>> make_rigid_body(
     const Contact<Law>& contact, AnySurface<D> shape, RigidMotion<D> motion, double start_time = 0,
     const typename Law::template Input<double>& input = {}, Symmetry symmetry = Symmetry::plane,
     const CarriedInput<Law>& carried = {}) {
   check(motion);
-  if (symmetry == Symmetry::axial) check_axial(motion, start_time);
+  if (symmetry == Symmetry::axial) motion = along_axis(std::move(motion), start_time);
   return std::make_unique<RigidBody<D, Law>>(contact, input, carried, std::move(shape), std::move(motion),
                                              start_time, symmetry);
 }
