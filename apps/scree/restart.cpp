@@ -13,10 +13,6 @@ namespace scree::app {
 
 namespace {
 
-[[nodiscard]] std::string entry_of(const mpm::Column& column) {
-  return app::entry_of(column.quantity().name);
-}
-
 /// Names of the columns, one on a line.
 template <int D, int V>
 [[nodiscard]] std::string column_names(const mpm::Particles<D, V>& particles) {
@@ -146,8 +142,9 @@ void require_same_parts(const Simulation<D, V>& simulation, const io::Checkpoint
   const std::string differences = difference(checkpoint.text("traits"), traits_of_run(simulation.scene()));
   require(differences.empty(), path.string() + ": is of another run: " + differences);
   simulation.state.particles.for_each_column([&](const mpm::Column& column) {
-    require(checkpoint.contains(entry_of(column)) || column.quantity().name == friction_column,
-            path.string() + ": is of another scene: it has no column '" + column.quantity().name + "'");
+    require(
+        checkpoint.contains(entry_of(column.quantity().name)) || column.quantity().name == friction_column,
+        path.string() + ": is of another scene: it has no column '" + column.quantity().name + "'");
   });
 }
 
@@ -169,7 +166,7 @@ void write_checkpoint(const Simulation<D, V>& simulation, const std::filesystem:
   write_streams(simulation, writer);
   writer.add("blocks", std::span<const std::int64_t>{flattened(simulation.state.blocks)});
   simulation.state.particles.for_each_column(
-      [&](const mpm::Column& column) { writer.add(entry_of(column), column.values()); });
+      [&](const mpm::Column& column) { writer.add(entry_of(column.quantity().name), column.values()); });
   writer.commit();
 }
 
@@ -190,11 +187,12 @@ void read_checkpoint_into(Simulation<D, V>& simulation, const std::filesystem::p
   restore_streams(simulation, checkpoint);
   auto& state = simulation.state;
   state.blocks = unflattened<D>(checkpoint.integers("blocks", checkpoint.length("blocks")));
-  const Index size = checkpoint.length(entry_of(state.particles.mass));
+  const Index size = checkpoint.length(entry_of(state.particles.mass.quantity().name));
   state.particles.resize(size);
   state.particles.for_each_column([&](mpm::Column& column) {
-    if (!checkpoint.contains(entry_of(column))) return;  // found anew, as walls of this scene want it
-    const auto values = checkpoint.doubles(entry_of(column), size * column.num_components());
+    if (!checkpoint.contains(entry_of(column.quantity().name)))
+      return;  // found anew, as walls of this scene want it
+    const auto values = checkpoint.doubles(entry_of(column.quantity().name), size * column.num_components());
     std::copy(values.begin(), values.end(), column.values().begin());
   });
   simulation.resume();
