@@ -4,20 +4,31 @@ include(GoogleTest)
 # What the fast tests run: all that has to be built under the sanitizers.
 add_custom_target(fast_tests)
 
-# The headers that nearly every test reads, compiled once: they are half the time of a small test. Only those of others,
-# and only under the sanitizers: the optimised build sees each source as it is, and there GCC 12 takes what comes from a
-# compiled header for our own code, with false warnings about strings.
-option(SCREE_PRECOMPILED_TEST_HEADERS "Compile once the headers of others that nearly every test reads" OFF)
-if(SCREE_PRECOMPILED_TEST_HEADERS)
-  add_library(scree_test_headers OBJECT test_headers.cpp)
-  target_link_libraries(scree_test_headers PRIVATE scree::base GTest::gtest GTest::gmock)
-  target_compile_features(scree_test_headers PRIVATE cxx_std_20)
-  scree_warnings(scree_test_headers)  # the flags of those that share it
-  target_precompile_headers(scree_test_headers PRIVATE
-    <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <limits> <map> <memory> <numbers> <numeric> <random>
-    <set> <span> <sstream> <string> <variant> <vector>
-    <Eigen/Core> <Eigen/Eigenvalues> <Eigen/Geometry> <Eigen/LU> <gmock/gmock.h> <gtest/gtest.h>)
-endif()
+# Fast tests ask what is computed, flows also how soon: in the optimised build the former are compiled with little
+# optimisation, in half the time. The libraries that they call are always those that users get.
+set(scree_fast_test_options $<$<CONFIG:Release>:-O1>)
+
+# The headers that nearly every fast test reads, compiled once: they are half the time of a small test. Only those of
+# others: ours are seen as users see them.
+add_library(scree_test_headers OBJECT test_headers.cpp)
+target_link_libraries(scree_test_headers PRIVATE scree::base GTest::gtest GTest::gmock)
+target_compile_features(scree_test_headers PRIVATE cxx_std_20)
+target_compile_options(scree_test_headers PRIVATE ${scree_fast_test_options})
+scree_warnings(scree_test_headers)  # the flags of those that share it
+target_precompile_headers(scree_test_headers PRIVATE
+  <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <limits> <map> <memory> <numbers> <numeric> <random>
+  <set> <span> <sstream> <string> <variant> <vector>
+  <Eigen/Core> <Eigen/Eigenvalues> <Eigen/Geometry> <Eigen/LU> <gmock/gmock.h> <gtest/gtest.h>)
+
+# Under the sanitizers a program takes longer to start than most tests take.
+option(SCREE_TESTS_IN_SHARDS "Start each test program four times, with a share of its tests, instead of once a test" OFF)
+function(scree_test_shards name)
+  foreach(shard RANGE 3)
+    add_test(NAME ${name}_${shard} COMMAND ${name} --gtest_brief=1)
+    set_tests_properties(${name}_${shard} PROPERTIES ${ARGN})
+    set_property(TEST ${name}_${shard} APPEND PROPERTY ENVIRONMENT GTEST_TOTAL_SHARDS=4 GTEST_SHARD_INDEX=${shard})
+  endforeach()
+endfunction()
 
 # scree_tests(<name> SOURCES <files> LINK <targets> [LABEL <label>])
 #
@@ -29,18 +40,23 @@ function(scree_tests name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
-  if(SCREE_PRECOMPILED_TEST_HEADERS)
-    target_precompile_headers(${name} REUSE_FROM scree_test_headers)
-  endif()
   target_compile_definitions(${name} PRIVATE SCREE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
   scree_warnings(${name})
   if(NOT arg_LABEL)
     set(arg_LABEL fast)
     add_dependencies(fast_tests ${name})
+    target_compile_options(${name} PRIVATE ${scree_fast_test_options})
+    target_precompile_headers(${name} REUSE_FROM scree_test_headers)
   endif()
+  # Its sources are never read as one: each has names of its own.
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   # Threads that wait sleep: tests run beside each other, and some ask for more threads than there are cores.
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS ${arg_LABEL} TIMEOUT 1500 ENVIRONMENT OMP_WAIT_POLICY=passive)
+  set(properties LABELS ${arg_LABEL} TIMEOUT 1500 ENVIRONMENT OMP_WAIT_POLICY=passive)
+  if(SCREE_TESTS_IN_SHARDS)
+    scree_test_shards(${name} ${properties})
+  else()
+    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+  endif()
 endfunction()
 
 # scree_kernel_symbols_test(<library>): the library's kernels for wide instruction sets leave no symbol that the
