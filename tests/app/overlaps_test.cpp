@@ -82,18 +82,10 @@ z_high = "slip"
 low = [0.0, 0.0, 0.15]
 high = [0.4, 0.4, 0.25]
 points_per_cell = 1
-[rheology]
-law = "newtonian"
-viscosity = 2e4
-bulk_modulus = 1e7
-density = 1000
-[numerics]
-maximum_dt = 1e-4
-[time]
-end = 100
 )";
   try {
-    const Simulation<3, 3> block{parse_scene(scene + surroundings, "scene.toml").scene, {1}};
+    const Simulation<3, 3> block{parse_scene(scene + viscous_block() + surroundings, "scene.toml").scene,
+                                 {1}};
   } catch (const InputError& error) {
     return error.what();
   }

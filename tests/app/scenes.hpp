@@ -17,6 +17,20 @@ namespace scree::app::testing {
   return text.replace(text.find(part), part.size(), instead);
 }
 
+/// Tables of a material so viscous that it moves as a block, and of the time that it has.
+[[nodiscard]] inline std::string viscous_block() {
+  return R"([rheology]
+law = "newtonian"
+viscosity = 2e4
+bulk_modulus = 1e7
+density = 1000
+[numerics]
+maximum_dt = 1e-4
+[time]
+end = 100
+)";
+}
+
 /// Tables of scenes in the plane, one below the other: a channel of 1 m on a smooth floor, open at both ends;
 [[nodiscard]] inline std::string open_channel() {
   return R"([mesh]

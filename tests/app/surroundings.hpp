@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scenes.hpp"
 #include "scree/simulation.hpp"
 
 #include <gtest/gtest.h>
@@ -80,17 +81,7 @@ high = [0.4, 0.35]
 points_per_cell = 2
 [gravity]
 slope_degrees = )" +
-         std::to_string(slope_degrees) + R"(
-[rheology]
-law = "newtonian"
-viscosity = 2e4
-bulk_modulus = 1e7
-density = 1000
-[numerics]
-maximum_dt = 1e-4
-[time]
-end = 100
-)" + surroundings;
+         std::to_string(slope_degrees) + "\n" + viscous_block() + surroundings;
 }
 
 template <int D>

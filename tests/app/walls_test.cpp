@@ -41,18 +41,10 @@ high = [{}0.1]
 points_per_cell = 2
 [gravity]
 slope_degrees = {}
-[rheology]
-law = "newtonian"
-viscosity = 2e4
-bulk_modulus = 1e7
-density = 1000
-[numerics]
-maximum_dt = 1e-4
-[time]
-end = 100
 )",
                                  dimensions, is_plane ? "0.2, " : "", is_plane ? "x = \"periodic\"" : "",
-                                 wall, is_plane ? "0.0, " : "", is_plane ? "0.2, " : "", slope_degrees),
+                                 wall, is_plane ? "0.0, " : "", is_plane ? "0.2, " : "", slope_degrees) +
+                         viscous_block(),
                      "scene.toml")
       .scene;
 }
