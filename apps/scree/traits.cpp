@@ -12,7 +12,7 @@ namespace scree::app {
 
 namespace {
 
-constexpr std::string_view between = " = ";
+constexpr std::string_view separator = " = ";
 
 template <class List>
 [[nodiscard]] std::string name_of(const List& list) {
@@ -92,14 +92,14 @@ std::vector<Trait> traits_of_run(const Scene& scene) {
 
 std::string traits_text(const std::vector<Trait>& traits) {
   std::string text;
-  for (const Trait& trait : traits) text += fmt::format("{}{}{}\n", trait.key, between, trait.value);
+  for (const Trait& trait : traits) text += fmt::format("{}{}{}\n", trait.key, separator, trait.value);
   return text;
 }
 
 std::string difference(const std::string& text, const std::vector<Trait>& traits) {
   std::string differences;
   for (const Trait& trait : traits) {
-    const std::string start = fmt::format("\n{}{}", trait.key, between);
+    const std::string start = fmt::format("\n{}{}", trait.key, separator);
     const std::string lines = "\n" + text;
     const auto found = lines.find(start);
     const auto first = found + start.size();
