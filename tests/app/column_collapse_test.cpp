@@ -55,12 +55,12 @@ constexpr double half_width = 0.1;  // [m], of the scene
   return places[places.size() * 995 / 1000] / half_width - 1;
 }
 
-/// Experiments between two plates on a rough floor, \cite lube2005: for them the least, as plates hold back.
+/// The least of the published laws, of sand between plates, which hold it back.  Eq. (M198)
 [[nodiscard]] double of_experiments(double aspect) {
   return aspect < 1.8 ? 1.2 * aspect : 1.9 * std::pow(aspect, 2.0 / 3);
 }
 
-/// mu(I) in two dimensions with the parameters of the scene, \cite lagree2011.
+/// The greatest of them, of mu(I) in two dimensions with the parameters of the scene.  Eq. (M198)
 [[nodiscard]] double of_the_continuum(double aspect) {
   return aspect < 7 ? 2.2 * aspect : 3.9 * std::pow(aspect, 0.7);
 }
