@@ -1,4 +1,4 @@
-"""The picture of error against cost of material points: above every scheme, below the orders of the step."""
+"""The picture of error against cost of material points: a row for each shape, and one for the orders of the step."""
 
 import textwrap
 from collections.abc import Sequence
@@ -22,36 +22,41 @@ COLOURS = {
     "pic": "#7a7a7a",
     "xpic_2": "#0f8a6c",
 }
-STYLES = {"linear": ":", "quadratic": "-", "cubic": "--", "gimp": "-."}
-MARKERS = {1: ".", 2: "s", 3: "^"}
+STYLES = {1: ":", 2: "-", 3: "--"}  # by points along each axis of a cell
 ORDERS = {"usl": ("black", "-"), "musl": ("#c46a00", "--"), "usf": ("#1f5fa8", ":")}
 FONT = 13
+PANEL = 3.3  # height of a row [inch]
+BELOW = 3.9  # room for legend and sentences [inch]
 
 
 def draw(problems: dict[str, list[Line]], chosen: dict[str, Sequence[Choice]], sentences: dict[str, str], stem: Path) -> list[Path]:
-    """Errors over CPU time, a column for each problem. Above a line for each scheme through its meshes, in the order
-    usl; below the runs of each order and what is worth its cost among them. The grey band is that of all runs."""
-    figure, panels = plt.subplots(2, len(problems), figsize=(13, 15), squeeze=False, sharex="col", sharey="col")
-    figure.subplots_adjust(left=0.075, right=0.985, top=0.965, bottom=0.235, wspace=0.28, hspace=0.3)
-    for (above, below), (problem, lines) in zip(panels.T, problems.items()):
-        _draw_lines(above, [line for line in lines if line.scheme.order == "usl"])
-        _draw_orders(below, [line for line in lines if line.scheme.points_per_axis == POINTS_OF_ORDERS])
-        for axes in (above, below):
+    """Errors over CPU time, a column for each problem: a row for each shape, with a line for each scheme through its
+    meshes in the order usl, and last the runs of each order and what is worth its cost among them. The grey band is
+    that of all runs, in all rows."""
+    shapes = list(dict.fromkeys(line.scheme.shape for lines in problems.values() for line in lines))
+    height = PANEL * (len(shapes) + 1) + BELOW
+    figure, panels = plt.subplots(len(shapes) + 1, len(problems), figsize=(13, height), squeeze=False, sharex="col", sharey="col")
+    figure.subplots_adjust(left=0.075, right=0.985, top=1 - 0.5 / height, bottom=BELOW / height, wspace=0.28, hspace=0.2)
+    for column, (problem, lines) in zip(panels.T, problems.items()):
+        for axes, shape in zip(column, shapes):
+            _draw_lines(axes, [line for line in lines if line.scheme.order == "usl" and line.scheme.shape == shape])
+            axes.text(0.97, 0.95, shape, transform=axes.transAxes, ha="right", va="top", fontsize=FONT)
+            for choice in chosen[problem]:
+                if choice.scheme.shape == shape:
+                    axes.plot(choice.seconds, choice.error, "o", markersize=13, markerfacecolor="none", color="black", markeredgewidth=2)
+        _draw_orders(column[-1], [line for line in lines if line.scheme.points_per_axis == POINTS_OF_ORDERS])
+        column[-1].text(0.97, 0.95, f"all shapes, {POINTS_OF_ORDERS}² points", transform=column[-1].transAxes, ha="right", va="top", fontsize=FONT)
+        for axes in column:
             _dress(axes, lines)
-            axes.set_ylabel(ERRORS[problem], fontsize=FONT)
-        for choice in chosen[problem]:
-            above.plot(choice.seconds, choice.error, "o", markersize=13, markerfacecolor="none", color="black", markeredgewidth=2)
-        above.set_title(TITLES[problem], fontsize=16)
-        below.set_xlabel("CPU time [s]", fontsize=FONT)
-    shapes = dict.fromkeys(line.scheme.shape for lines in problems.values() for line in lines)
+        column[0].set_title(TITLES[problem], fontsize=16)
+        column[len(column) // 2].set_ylabel(ERRORS[problem], fontsize=FONT)
+        column[-1].set_xlabel("CPU time [s]", fontsize=FONT)
     handles = [Line2D([], [], color=colour, label=name, linewidth=3) for name, colour in COLOURS.items()]
-    handles += [Line2D([], [], color="black", linestyle=STYLES[name], label=name, linewidth=2) for name in shapes]
-    handles += [Line2D([], [], color="black", linestyle="", marker=mark, label=f"{points}² points") for points, mark in MARKERS.items()]
-    figure.legend(handles=handles, loc="center", bbox_to_anchor=(0.5, 0.585), ncol=7, fontsize=FONT, frameon=False)
-    handles = [Line2D([], [], color=colour, linestyle=style, label=name, linewidth=3) for name, (colour, style) in ORDERS.items()]
-    figure.legend(handles=handles, loc="center", bbox_to_anchor=(0.5, 0.185), ncol=3, fontsize=FONT, frameon=False)
+    handles += [Line2D([], [], color="black", linestyle=style, label=f"{points}² points", linewidth=2) for points, style in STYLES.items()]
+    handles += [Line2D([], [], color=colour, linestyle=style, label=name, linewidth=3) for name, (colour, style) in ORDERS.items()]
+    figure.legend(handles=handles, loc="center", bbox_to_anchor=(0.5, (BELOW - 1) / height), ncol=6, fontsize=FONT, frameon=False)
     text = "\n".join(textwrap.fill(f"{TITLES[name]}: {words}", 122) for name, words in sentences.items())
-    figure.text(0.5, 0.085, text, ha="center", va="center", fontsize=FONT)
+    figure.text(0.5, 0.2 / height, text, ha="center", va="bottom", fontsize=FONT)
     return save(figure, stem)
 
 
@@ -75,15 +80,8 @@ def _dress(axes: Axes, lines: Sequence[Line]) -> None:
 
 def _draw_lines(axes: Axes, lines: Sequence[Line]) -> None:
     for line in lines:
-        axes.plot(
-            line.seconds,
-            line.errors,
-            color=COLOURS[line.scheme.transfer],
-            linestyle=STYLES[line.scheme.shape],
-            linewidth=1.4,
-            marker=MARKERS[line.scheme.points_per_axis],
-            markersize=4,
-        )
+        colour, style = COLOURS[line.scheme.transfer], STYLES[line.scheme.points_per_axis]
+        axes.plot(line.seconds, line.errors, color=colour, linestyle=style, linewidth=1.6, marker=".", markersize=6)
 
 
 def _draw_orders(axes: Axes, lines: Sequence[Line]) -> None:
