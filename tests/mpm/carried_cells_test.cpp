@@ -123,8 +123,6 @@ class CarriedOnSites : public ::testing::Test {
   /// Roundings of a fraction on its way to the sites of the widest stencil and back.
   static constexpr double rounding = 10 * 27 * round_off;
 };
-using Dimensions = ::testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
-                                    std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(CarriedOnSites, Dimensions);
 
 TYPED_TEST(CarriedOnSites, GetTheMassOfThePoints) {  // Eq. (M21)

@@ -218,8 +218,6 @@ void for_every_kernel(Test&& test) {
 
 template <class Dimension>
 class CarriedKernels : public ::testing::Test {};
-using Dimensions = ::testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
-                                    std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(CarriedKernels, Dimensions);
 
 TYPED_TEST(CarriedKernels, GiveTheSitesWhatSingleNumbersGive) {  // Eq. (M21)

@@ -40,44 +40,46 @@ constexpr double apart(int dimension, double num_terms) {
   return 2 * round_off * (dimension * (9.0 * 3 * num_cells + 4 * 10) + 5 * num_terms);
 }
 
-template <class S>
+template <class Dimension>
 class EveryKernel : public ::testing::Test {
  protected:
-  /// Calls test(set, V) for every instruction set of this machine and every number of velocities.
+  /// Calls test(scheme, set, V) for every scheme, instruction set of this machine and number of velocities.
   template <class Test>
   static void for_each_kernel(Test&& test) {
-    for (const InstructionSet set : instruction_sets()) {
-      SCOPED_TRACE(name_of(set));
-      test(set, std::integral_constant<int, S::D>{});
-      if constexpr (S::D < 3) test(set, std::integral_constant<int, S::D + 1>{});
-      if constexpr (S::D < 2) test(set, std::integral_constant<int, S::D + 2>{});
+    constexpr int D = Dimension::value;
+    for (const Scheme& scheme : every_scheme()) {
+      SCOPED_TRACE(scheme.name());
+      for (const InstructionSet set : instruction_sets()) {
+        SCOPED_TRACE(name_of(set));
+        test(scheme, set, Dimension{});
+        if constexpr (D < 3) test(scheme, set, std::integral_constant<int, D + 1>{});
+        if constexpr (D < 2) test(scheme, set, std::integral_constant<int, D + 2>{});
+      }
     }
   }
 };
-TYPED_TEST_SUITE(EveryKernel, EverySchemeList, SchemeName);
+TYPED_TEST_SUITE(EveryKernel, Dimensions);
 
 TYPED_TEST(EveryKernel, GivesTheNodesWhatSingleNumbersGive) {
-  constexpr int D = TypeParam::D;
-  using Rule = typename TypeParam::Rule;
-  using ShapeType = typename TypeParam::ShapeType;
-  this->for_each_kernel([](InstructionSet set, auto velocities) {
+  constexpr int D = TypeParam::value;
+  this->for_each_kernel([](const Scheme& scheme, InstructionSet set, auto velocities) {
     constexpr int V = decltype(velocities)::value;
     const auto grid = cube<D>(num_cells, spacing, false);
     auto particles = any_cloud<D, V>();
-    const auto transfer = make_transfer<D, V>(ShapeType{}, Rule{}, set);
+    const auto transfer = make_transfer<D, V>(scheme.shape, scheme.rule, set);
     const auto blocks = cell_sort(particles, grid, transfer->stencil_shift(), one_thread);
     Nodes<D> nodes{grid, transfer->record()};
     Nodes<D> expected{grid, transfer->record()};
 
     for (const auto& block : blocks.blocks) transfer->scatter(particles, block, nodes, dt);
 
-    const ReferenceTransfer<ShapeType, Rule, D, V> reference{grid, ShapeType{}, Rule{}};
+    const ReferenceTransfer<D, V> reference{grid, scheme};
     for (Index p = 0; p < particles.size(); ++p) reference.scatter(particles, p, expected, dt);
     const double terms = static_cast<double>(particles.size());
     const double mass = terms * largest(particles.mass);
     const double force = mass / 1000 * largest(particles.stress) * 2 / spacing * D;  // slopes up to 2/spacing
     const double momentum = mass * (largest(particles.velocity) + D * 2 * spacing / spacing) +
-                            (Rule::has_increment ? 0 : dt * force);
+                            (scheme.has_increment() ? 0 : dt * force);
     for (Index n = 0; n < nodes.num_nodes(); ++n) {
       const auto expect_near = [&](int place, double scale) {
         EXPECT_NEAR(nodes[n][place], expected[n][place], apart(D, terms) * scale);
@@ -85,21 +87,19 @@ TYPED_TEST(EveryKernel, GivesTheNodesWhatSingleNumbersGive) {
       expect_near(NodeRecord::mass, mass);
       for (int i = 0; i < V; ++i) {
         expect_near(NodeRecord::momentum + i, momentum);
-        if (Rule::has_increment) expect_near(NodeRecord::increment() + i, force);
+        if (scheme.has_increment()) expect_near(NodeRecord::increment() + i, force);
       }
     }
   });
 }
 
 TYPED_TEST(EveryKernel, GivesThePointsWhatSingleNumbersGive) {
-  constexpr int D = TypeParam::D;
-  using Rule = typename TypeParam::Rule;
-  using ShapeType = typename TypeParam::ShapeType;
-  this->for_each_kernel([](InstructionSet set, auto velocities) {
+  constexpr int D = TypeParam::value;
+  this->for_each_kernel([](const Scheme& scheme, InstructionSet set, auto velocities) {
     constexpr int V = decltype(velocities)::value;
     const auto grid = cube<D>(num_cells, spacing, false);
     auto particles = any_cloud<D, V>();
-    const auto transfer = make_transfer<D, V>(ShapeType{}, Rule{}, set);
+    const auto transfer = make_transfer<D, V>(scheme.shape, scheme.rule, set);
     const auto blocks = cell_sort(particles, grid, transfer->stencil_shift(), one_thread);
     Nodes<D> nodes{grid, transfer->record()};
     std::mt19937 random{17};
@@ -111,11 +111,11 @@ TYPED_TEST(EveryKernel, GivesThePointsWhatSingleNumbersGive) {
 
     for (const auto& block : blocks.blocks) (void)transfer->gather(particles, block, nodes, dt);
 
-    const ReferenceTransfer<ShapeType, Rule, D, V> reference{grid, ShapeType{}, Rule{}};
-    const double terms = std::pow(static_cast<double>(ShapeType::support), D);
+    const ReferenceTransfer<D, V> reference{grid, scheme};
+    const double terms = std::pow(static_cast<double>(scheme.support()), D);
     const double rounding = apart(D, terms) * terms;  // nodal velocities up to 1 m/s
     for (Index p = 0; p < particles.size(); ++p) {
-      const auto next = reference.load(particles, p);
+      const auto next = load(particles, p);
       const auto expected = reference.gather(before, p, nodes, dt);
       for (std::size_t i = 0; i < V; ++i) EXPECT_NEAR(next.velocity[i], expected.velocity[i], 3 * rounding);
       for (std::size_t j = 0; j < D; ++j) {

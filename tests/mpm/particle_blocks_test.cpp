@@ -74,8 +74,6 @@ void expect_blocks_of_a_colour_apart(const CartesianGrid<D>& grid, Index edge, I
 
 template <class Dimension>
 class BlocksOfOneColour : public ::testing::Test {};
-using Dimensions = ::testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
-                                    std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(BlocksOfOneColour, Dimensions);
 
 TYPED_TEST(BlocksOfOneColour, ShareNoNodeUnderAnyShape) {

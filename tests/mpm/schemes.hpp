@@ -5,43 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 namespace scree::mpm {
 
-/// A shape function, a transfer and a dimension: what the typed suites of momentum run over.
-template <class ShapeType_, class Rule_, int D_>
-struct Scheme {
-  using ShapeType = ShapeType_;
-  using Rule = Rule_;
-  static constexpr int D = D_;
-};
-
 namespace detail {
-
-template <class... Lists>
-struct Joined;
-template <class... A>
-struct Joined<::testing::Types<A...>> {
-  using type = ::testing::Types<A...>;
-};
-template <class... A, class... B, class... Rest>
-struct Joined<::testing::Types<A...>, ::testing::Types<B...>, Rest...> {
-  using type = typename Joined<::testing::Types<A..., B...>, Rest...>::type;
-};
-
-template <class Shapes, class Rules, int D>
-struct SchemesIn;
-template <class... S, class... R, int D>
-struct SchemesIn<std::variant<S...>, std::variant<R...>, D> {
-  template <class One>
-  using Row = ::testing::Types<Scheme<One, R, D>...>;
-  using type = typename Joined<Row<S>...>::type;
-};
-template <int D>
-using AllIn = typename SchemesIn<AnyShape, AnyTransfer, D>::type;
 
 template <class Variant>
 struct Entries;
@@ -51,17 +23,6 @@ struct Entries<std::variant<Entry...>> {
 };
 
 }  // namespace detail
-
-/// Every shape with every transfer in one, two and three dimensions; a new entry of a list joins by itself.
-using EverySchemeList = detail::Joined<detail::AllIn<1>, detail::AllIn<2>, detail::AllIn<3>>::type;
-
-struct SchemeName {
-  template <class S>
-  static std::string GetName(int /*number*/) {
-    return std::string{S::ShapeType::name} + "_" + std::string{S::Rule::name} + "_" + std::to_string(S::D) +
-           "d";
-  }
-};
 
 /// One of each entry of a list, with its default parameters.
 template <class Variant>
@@ -77,5 +38,48 @@ template <class Variant>
   }
   return shapes;
 }
+
+/// A shape function and a transfer, chosen when a test runs: a typed suite would compile each of its tests
+/// once for every pair.
+struct Scheme {
+  AnyShape shape;
+  AnyTransfer rule;
+
+  [[nodiscard]] std::size_t support() const {
+    return std::visit([](const auto& entry) { return entry.support; }, shape);
+  }
+  [[nodiscard]] double shift() const {
+    return std::visit([](const auto& entry) { return entry.shift; }, shape);
+  }
+  [[nodiscard]] bool has_affine() const {
+    return std::visit([](const auto& entry) { return entry.has_affine; }, rule);
+  }
+  [[nodiscard]] bool has_affine_gradient() const {
+    return std::visit([](const auto& entry) { return entry.has_affine_gradient; }, rule);
+  }
+  [[nodiscard]] bool has_increment() const {
+    return std::visit([](const auto& entry) { return entry.has_increment; }, rule);
+  }
+  [[nodiscard]] double increment_share() const {
+    return std::visit([](const auto& entry) { return entry.increment_share(); }, rule);
+  }
+  [[nodiscard]] std::string name() const {
+    const auto name_of = [](const auto& entry) { return std::string{entry.name}; };
+    return std::visit(name_of, shape) + " " + std::visit(name_of, rule);
+  }
+};
+
+/// Every shape with every transfer; a new entry of a list joins by itself.
+[[nodiscard]] inline std::vector<Scheme> every_scheme() {
+  std::vector<Scheme> schemes;
+  for (const AnyShape& shape : every<AnyShape>()) {
+    for (const AnyTransfer& rule : every<AnyTransfer>()) schemes.push_back({shape, rule});
+  }
+  return schemes;
+}
+
+/// What suites run over that hold in one, two and three dimensions.
+using Dimensions = ::testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
+                                    std::integral_constant<int, 3>>;
 
 }  // namespace scree::mpm

@@ -14,63 +14,68 @@ namespace {
 constexpr Threads one_thread{1};
 constexpr Fluid mud{.bulk_modulus = 1e5, .reference_density = 1000, .viscosity = 2};
 
-template <class S>
+template <class Dimension>
 class EveryStep : public ::testing::Test {};
-TYPED_TEST_SUITE(EveryStep, EverySchemeList, SchemeName);
+TYPED_TEST_SUITE(EveryStep, Dimensions);
 
 TYPED_TEST(EveryStep, KeepsMomentumUnderItsOwnForces) {  // Eq. (M10): the forces on the nodes sum to zero
-  constexpr int D = TypeParam::D;
-  const auto grid = cube<D>(6, 0.1, true);
-  auto particles = scattered<D>(grid, 200 * D, 0);
-  fill_at_random(particles.velocity, 1.0);
-  const auto stages =
-      stages_of<D, D>(particles, typename TypeParam::ShapeType{}, typename TypeParam::Rule{}, mud);
-  auto state = start(std::move(particles), grid, stages, one_thread);
-  std::array<Momentum, D> before;
-  for (int i = 0; i < D; ++i) before[static_cast<std::size_t>(i)] = momentum_of(state.particles, i);
+  constexpr int D = TypeParam::value;
+  for (const Scheme& scheme : every_scheme()) {
+    SCOPED_TRACE(scheme.name());
+    const auto grid = cube<D>(6, 0.1, true);
+    auto particles = scattered<D>(grid, 200 * D, 0);
+    fill_at_random(particles.velocity, 1.0);
+    const auto stages = stages_of<D, D>(particles, scheme.shape, scheme.rule, mud);
+    auto state = start(std::move(particles), grid, stages, one_thread);
+    std::array<Momentum, D> before;
+    for (int i = 0; i < D; ++i) before[static_cast<std::size_t>(i)] = momentum_of(state.particles, i);
 
-  constexpr int num_steps = 50;
-  constexpr double dt = 1e-3;
-  for (int n = 0; n < num_steps; ++n) step(state, stages, dt, one_thread);
+    constexpr int num_steps = 50;
+    constexpr double dt = 1e-3;
+    for (int n = 0; n < num_steps; ++n) step(state, stages, dt, one_thread);
 
-  // Each step adds impulses dt V sigma/h of either sign, which cancel up to their rounding.
-  double impulse = 0;
-  for (Index p = 0; p < state.particles.size(); ++p) {
-    impulse += dt / 0.1 * state.particles.mass.component(0)[p] / 1000 * largest(state.particles.stress);
-  }
-  for (int i = 0; i < D; ++i) {
-    const Momentum& initial = before[static_cast<std::size_t>(i)];
-    const double rounding = rounding_of(D, TypeParam::ShapeType::support, num_steps);
-    EXPECT_NEAR(momentum_of(state.particles, i).total, initial.total, rounding * (initial.size + impulse));
+    // Each step adds impulses dt V sigma/h of either sign, which cancel up to their rounding.
+    double impulse = 0;
+    for (Index p = 0; p < state.particles.size(); ++p) {
+      impulse += dt / 0.1 * state.particles.mass.component(0)[p] / 1000 * largest(state.particles.stress);
+    }
+    for (int i = 0; i < D; ++i) {
+      const Momentum& initial = before[static_cast<std::size_t>(i)];
+      const double rounding = rounding_of(D, scheme.support(), num_steps);
+      EXPECT_NEAR(momentum_of(state.particles, i).total, initial.total, rounding * (initial.size + impulse));
+    }
   }
 }
 
 TYPED_TEST(EveryStep, KeepsEveryMassExactly) {
-  constexpr int D = TypeParam::D;
-  const auto grid = cube<D>(6, 0.1, true);
-  auto particles = scattered<D>(grid, 60, 0);
-  fill_at_random(particles.velocity, 5.0);
-  const std::vector<double> masses{particles.mass.values().begin(), particles.mass.values().end()};
-  const auto stages = stages_of<D, D>(particles, typename TypeParam::ShapeType{}, typename TypeParam::Rule{});
-  auto state = start(std::move(particles), grid, stages, one_thread);
+  constexpr int D = TypeParam::value;
+  for (const Scheme& scheme : every_scheme()) {
+    SCOPED_TRACE(scheme.name());
+    const auto grid = cube<D>(6, 0.1, true);
+    auto particles = scattered<D>(grid, 60, 0);
+    fill_at_random(particles.velocity, 5.0);
+    const std::vector<double> masses{particles.mass.values().begin(), particles.mass.values().end()};
+    const auto stages = stages_of<D, D>(particles, scheme.shape, scheme.rule);
+    auto state = start(std::move(particles), grid, stages, one_thread);
 
-  for (int n = 0; n < 100; ++n) step(state, stages, 1e-2, one_thread);
+    for (int n = 0; n < 100; ++n) step(state, stages, 1e-2, one_thread);
 
-  std::vector<double> left(masses.size(), 0);
-  for (Index p = 0; p < state.particles.size(); ++p) {
-    left[static_cast<std::size_t>(state.particles.id.component(0)[p])] +=
-        state.particles.mass.component(0)[p];
+    std::vector<double> left(masses.size(), 0);
+    for (Index p = 0; p < state.particles.size(); ++p) {
+      left[static_cast<std::size_t>(state.particles.id.component(0)[p])] +=
+          state.particles.mass.component(0)[p];
+    }
+    EXPECT_EQ(left, masses);
   }
-  EXPECT_EQ(left, masses);
 }
 
 /// Points that cross cells and blocks of a periodic mesh.
-template <int D, class ShapeType, class Rule>
+template <int D>
 struct StirredUnder {
-  explicit StirredUnder(Index num_points) {
+  StirredUnder(const Scheme& scheme, Index num_points) {
     auto particles = scattered<D>(grid, num_points, 0);
     fill_at_random(particles.velocity, 1.0);
-    stages = stages_of<D, D>(particles, ShapeType{}, Rule{}, mud);
+    stages = stages_of<D, D>(particles, scheme.shape, scheme.rule, mud);
     state = std::make_unique<State<D, D>>(start(std::move(particles), grid, stages, one_thread));
   }
   void advance(int num_steps, Threads threads) {
@@ -80,8 +85,8 @@ struct StirredUnder {
   Stages<D, D> stages;
   std::unique_ptr<State<D, D>> state;
 };
-struct Stirred : StirredUnder<2, Quadratic, Apic> {
-  Stirred() : StirredUnder{4000} {}
+struct Stirred : StirredUnder<2> {
+  Stirred() : StirredUnder{{Quadratic{}, Apic{}}, 4000} {}
 };
 
 template <int D>
@@ -98,17 +103,20 @@ void expect_same_bits(const Particles<D>& a, const Particles<D>& b) {
 }
 
 TYPED_TEST(EveryStep, GivesTheSameBitsForAnyNumberOfThreads) {
-  using Run = StirredUnder<TypeParam::D, typename TypeParam::ShapeType, typename TypeParam::Rule>;
-  constexpr Index num_points = 1000 * TypeParam::D;
-  constexpr int num_steps = 4;
-  Run one{num_points};
-  one.advance(num_steps, {1});
-  for (const int threads : {2, 3, 4}) {
-    Run several{num_points};
+  constexpr int D = TypeParam::value;
+  for (const Scheme& scheme : every_scheme()) {
+    SCOPED_TRACE(scheme.name());
+    constexpr Index num_points = 1000 * D;
+    constexpr int num_steps = 4;
+    StirredUnder<D> one{scheme, num_points};
+    one.advance(num_steps, {1});
+    for (const int threads : {2, 3, 4}) {
+      StirredUnder<D> several{scheme, num_points};
 
-    several.advance(num_steps, {threads});
+      several.advance(num_steps, {threads});
 
-    expect_same_bits(one.state->particles, several.state->particles);
+      expect_same_bits(one.state->particles, several.state->particles);
+    }
   }
 }
 
