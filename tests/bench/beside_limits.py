@@ -125,8 +125,10 @@ def sorting(bench: Path, dimensions: int, ns_of_step: float, rounds: int) -> Non
           f"{math.ceil(20 * 1e3 / rate / ns_of_step)} steps of {ns_of_step:.0f} ns on")
 
 
-def peak(folder: Path) -> float:
-    """Multiply-adds of doubles on one core [Gflop/s]."""
+def peak(folder: Path) -> float | None:
+    """Multiply-adds of doubles on one core [Gflop/s]; none where the program that makes them is missing."""
+    if not (folder / "machine").exists():
+        return None
     text = run(str(folder / "machine"))
     return max(float(g) for g in re.findall(r"fma double \S+ +threads 1 : +([\d.]+)", text))
 
@@ -135,13 +137,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--bench", type=Path, required=True, help="folder of scree's benchmarks")
     parser.add_argument("--limits", type=Path, required=True,
-                        help="folder of machine, step2d, step3d and segregation")
+                        help="folder of step2d, step3d, segregation and, if it compiles here, machine")
     parser.add_argument("--rounds", type=int, default=2, help="each takes both in turn; the best counts")
     options = parser.parse_args()
     points = options.bench / "mpm_bench"
 
     most = peak(options.limits)
-    print(f"one core makes {most:.1f} Gflop/s by multiply-adds of doubles")
+    print(f"one core makes {most:.1f} Gflop/s by multiply-adds of doubles" if most else
+          "how much one core makes by multiply-adds is not known: there is no program 'machine'")
     print(f"{'million points x steps / s':34} scree limit ratio asked |  ns per point: scatter nodes gather"
           " | loops over nodes [Gflop/s, of peak] | bytes per point, over columns")
     best = {}
@@ -154,8 +157,9 @@ def main() -> None:
         phases = " ".join(f"{measured[phase]:6.1f}" for phase in ("scatter_ns", "nodes_ns", "gather_ns"))
         busy = measured["scatter_ns"] + measured["gather_ns"]
         speed = operations(row) / busy
+        share = f"{speed / (most * row.threads):4.0%}" if most else f"{'-':>4}"
         print(f"{row.name:34} {rate:5.1f} {limit:5.1f} {rate / limit:5.2f} {row.asked:5.2f} |"
-              f"        {phases}        | {speed:5.1f} {speed / (most * row.threads):4.0%}"
+              f"        {phases}        | {speed:5.1f} {share}"
               f" | {measured['bytes']:4.0f} {measured['bytes'] / measured['bytes_in_use']:5.3f}", flush=True)
     print("one row of scree over another")
     for d in (2, 3):
