@@ -66,7 +66,8 @@ void check_dimensions(const TomlTable& table, const Scene& scene, int needed) {
   if (any_law == nullptr) return false;
   return std::visit(
       [](const auto& law) {
-        return std::ranges::any_of(law.inputs, [](const InputColumn& one) { return one.name == "friction"; });
+        return std::ranges::any_of(law.inputs,
+                                   [](const InputColumn& one) { return one.name == friction_column; });
       },
       *any_law);
 }

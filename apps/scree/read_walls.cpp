@@ -27,7 +27,7 @@ using io::TomlTable;
 /// of its material along the axis, or the friction at which that yields.
 [[nodiscard]] std::optional<double> from_scene(const Scene& scene, std::size_t axis,
                                                const InputColumn& column) {
-  if (column.name == "grain_size" && scene.grains) {
+  if (column.name == grain_size_column && scene.grains) {
     return grainsize::arithmetic_mean(scene.grains->classes.diameters(), scene.grains->fractions);
   }
   const MaterialScene& material = scene.material;

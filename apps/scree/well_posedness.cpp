@@ -1,6 +1,7 @@
 #include "scree/well_posedness.hpp"
 
 #include "scree/axes.hpp"
+#include "scree/mixture.hpp"
 
 #include <scree/rheology/columns.hpp>
 
@@ -21,7 +22,7 @@ namespace {
         using Input = typename Law::template Input<double>;
         const Deformation<double> at_rest{Tensor<double>{}, law.density};
         const auto input = rheology::made_of<Input>(Law::inputs, [&](const InputColumn& column) {
-          return column.name == "grain_size" ? grain_size : 0.0;
+          return column.name == grain_size_column ? grain_size : 0.0;
         });
         return law.stiffness(at_rest, input, rheology::initial_state<Law>()).viscosity;
       },

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scree/mixture.hpp"
 #include "scree/scene.hpp"
 
 #include <scree/mpm/boundaries/contact.hpp>
@@ -22,7 +23,7 @@ template <class Law>
   std::size_t next = 0;
   return rheology::made_of<typename Law::template Input<double>>(Law::inputs, [&](const InputColumn& column) {
     const double number = inputs.at(next++);
-    return column.name == "friction" && std::isfinite(friction) ? friction : number;
+    return column.name == friction_column && std::isfinite(friction) ? friction : number;
   });
 }
 
