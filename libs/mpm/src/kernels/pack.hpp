@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstring>
 
 /// Stands before a kernel: all that it calls becomes part of it, or the compiler would inline the less the
 /// more kernels there are. Not under the sanitizers, as it would take them four times as long to compile.
@@ -36,11 +35,9 @@ class Pack {
   explicit Pack(const Register& lanes) noexcept : lanes_{lanes} {}
 
   [[nodiscard]] static Pack load(const double* from) noexcept {
-    Pack pack;
-    std::memcpy(&pack.lanes_, from, sizeof pack.lanes_);
-    return pack;
+    return Pack{*reinterpret_cast<const Anywhere*>(from)};
   }
-  void store(double* to) const noexcept { std::memcpy(to, &lanes_, sizeof lanes_); }
+  void store(double* to) const noexcept { *reinterpret_cast<Anywhere*>(to) = lanes_; }
 
   [[nodiscard]] double operator[](int lane) const noexcept { return lanes_[lane]; }
   [[nodiscard]] const Register& lanes() const noexcept { return lanes_; }
@@ -72,6 +69,10 @@ class Pack {
   }
 
  private:
+  /// A register's doubles anywhere in an array. GCC moves as many bytes, std::memcpy's, in halves unless all
+  /// of AVX-512 is there, and then keeps in memory whatever consists of packs.
+  using Anywhere [[gnu::vector_size(size * sizeof(double)), gnu::aligned(alignof(double)), gnu::may_alias]] =
+      double;
   Register lanes_;
 };
 
@@ -93,11 +94,11 @@ class Four {
   }
   [[nodiscard]] static Four load(const double* from) noexcept {
     Four four;
-    std::memcpy(four.parts_, from, sizeof four.parts_);
+    for (int i = 0; i < num_parts; ++i) four.parts_[i] = reinterpret_cast<const Anywhere*>(from)[i];
     return four;
   }
   void store(double* to) const noexcept {
-    std::memcpy(to, parts_, sizeof parts_);
+    for (int i = 0; i < num_parts; ++i) reinterpret_cast<Anywhere*>(to)[i] = parts_[i];
   }
 
   Four& operator+=(const Four& other) noexcept {
@@ -113,6 +114,7 @@ class Four {
   }
 
  private:
+  using Anywhere [[gnu::vector_size(sizeof(Part)), gnu::aligned(alignof(double)), gnu::may_alias]] = double;
   Part parts_[num_parts];
 };
 

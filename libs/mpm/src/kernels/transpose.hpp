@@ -2,6 +2,8 @@
 
 #include "pack.hpp"
 
+#include <cstring>
+
 namespace scree::mpm::SCREE_INSTRUCTION_SET {
 
 namespace detail {
