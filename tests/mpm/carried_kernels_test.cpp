@@ -203,7 +203,7 @@ template <class Test>
 void for_every_kernel(Test&& test) {
   for (const InstructionSet set : instruction_sets()) {
     for (const bool is_periodic : {false, true}) {
-      for (const int num_classes : {1, 3, 6, 9}) {
+      for (const int num_classes : {1, 3, 6, 13}) {
         SCOPED_TRACE(std::string{name_of(set)} + (is_periodic ? ", periodic, " : ", ") +
                      std::to_string(num_classes) + " classes");
         for (const AnyShape& shape : every<AnyShape>()) {

@@ -35,9 +35,9 @@ void for_each_batch(std::size_t num_sites, Threads threads, Body&& body) {
   });
 }
 
-/// The sums that the columns `first`, .. of mass and fields add to: mass is column 0.
-[[nodiscard]] FourSums sums_of(std::span<const CarriedField> fields, std::size_t first,
-                               std::span<double> masses, std::span<double> means) noexcept {
+/// The sums that up to four columns of mass and fields add to, from `first` on: mass is column 0.
+[[nodiscard]] FourSums four_sums_of(std::span<const CarriedField> fields, std::size_t first,
+                                    std::span<double> masses, std::span<double> means) noexcept {
   FourSums sums;
   const std::size_t count = std::min<std::size_t>(fields.size() + 1 - first, 4);
   sums.count = static_cast<int>(count);
@@ -47,6 +47,16 @@ void for_each_batch(std::size_t num_sites, Threads threads, Body&& body) {
     sums.field[i] = is_mass ? nullptr : fields[column - 1].column->component(fields[column - 1].component);
     sums.sum[i] = is_mass ? masses.data() : means.data() + (column - 1);
     sums.step[i] = is_mass ? 1 : static_cast<Index>(fields.size());
+  }
+  return sums;
+}
+
+/// Those of as many columns as a kernel takes at once.
+[[nodiscard]] SiteSums sums_of(std::span<const CarriedField> fields, std::size_t first,
+                               std::span<double> masses, std::span<double> means) noexcept {
+  SiteSums sums;
+  for (; sums.num_fours < SiteSums::most && first <= fields.size(); first += 4) {
+    sums.fours[sums.num_fours++] = four_sums_of(fields, first, masses, means);
   }
   return sums;
 }
@@ -125,7 +135,7 @@ void CarriedCells<D, V>::to_sites(const Particles<D, V>& particles, const Partic
   });
   blocks.for_each_coloured(threads, [&](Index b) {
     const CarriedBlock<D> block = opened(particles, blocks.blocks[static_cast<std::size_t>(b)], blocks.edge);
-    for (std::size_t first = 0; first <= num_fields; first += 4) {
+    for (std::size_t first = 0; first <= num_fields; first += 4 * SiteSums::most) {
       kernels.to_sites(shape_, block, sums_of(fields, first, masses, means));
     }
   });

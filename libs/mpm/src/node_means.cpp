@@ -52,18 +52,21 @@ void divide(double* record, std::span<const Extremes> of_columns) noexcept {
 }
 
 /// The sums that a pass of the kernel adds to, of mass (number 0) and of mass times each field.
-/// @param fields of all columns  @param first number of the sum that this pass begins with
+/// @param first number of the sum that this pass begins with  @param fields of all columns
 /// @param sums of node 0, `size` for each node
-[[nodiscard]] FourSums sums_from(Index first, Index size, double* sums, const auto& field_of) noexcept {
-  FourSums four;
-  four.count = static_cast<int>(std::min<Index>(size - first, 4));
-  for (Index i = 0; i < four.count; ++i) {
-    const auto n = static_cast<std::size_t>(i);
-    four.field[n] = first + i == 0 ? nullptr : field_of(first + i - 1);
-    four.sum[n] = sums + first + i;
-    four.step[n] = size;
+[[nodiscard]] SiteSums sums_from(Index first, Index size, double* sums, const auto& field_of) noexcept {
+  SiteSums pass;
+  for (; pass.num_fours < SiteSums::most && first < size; first += 4) {
+    FourSums& four = pass.fours[pass.num_fours++];
+    four.count = static_cast<int>(std::min<Index>(size - first, 4));
+    for (Index i = 0; i < four.count; ++i) {
+      const auto n = static_cast<std::size_t>(i);
+      four.field[n] = first + i == 0 ? nullptr : field_of(first + i - 1);
+      four.sum[n] = sums + first + i;
+      four.step[n] = size;
+    }
   }
-  return four;
+  return pass;
 }
 
 /// Calls body(first node, one past the last) for the nodes in use.
@@ -120,7 +123,7 @@ void NodeMeans<D, V>::add_block(const Particles<D, V>& particles, const Particle
   };
   const CarriedBlock<D> open = detail::opened(nodes.grid(), particles, block, part_of);
   const auto kernels = detail::kernels_for<D>(set_, Sites::nodes, shape_.index());
-  for (Index first = 0; first <= size(); first += 4) {
+  for (Index first = 0; first <= size(); first += 4 * SiteSums::most) {
     kernels.to_sites(shape_, open, sums_from(first, size() + 1, nodes.carried(0), field_of));
   }
 }

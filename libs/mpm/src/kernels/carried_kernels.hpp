@@ -40,6 +40,14 @@ struct FourSums {
   int count = 0;
 };
 
+/// As many of them as a kernel adds to at once: so many that few points need two passes, so few that their
+/// tiles stay near.
+struct SiteSums {
+  static constexpr Index most = 3;
+  FourSums fours[most];
+  Index num_fours = 0;
+};
+
 /// What a point reads of its sites and changes by it.  Eqs. (M22), (M23)
 struct PointChange {
   const double* records = nullptr;  ///< of each site: loss ratios of all classes, then gain shares
@@ -51,7 +59,7 @@ struct PointChange {
 
 template <int D>
 struct CarriedKernels {
-  void (*to_sites)(const AnyShape&, const CarriedBlock<D>&, const FourSums&) noexcept;
+  void (*to_sites)(const AnyShape&, const CarriedBlock<D>&, const SiteSums&) noexcept;
   void (*to_points)(const AnyShape&, const CarriedBlock<D>&, const PointChange&) noexcept;
 };
 

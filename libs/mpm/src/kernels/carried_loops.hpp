@@ -57,9 +57,7 @@ template <int D, class ShapeType>
 inline void keep(const ShapeType& shape, const CarriedBlock<D>& block, Index p,
                  PackSites<D, ShapeType::support>& kept) noexcept {
   constexpr std::size_t S = ShapeType::support;
-  using Stencil = SiteStencil<D, S>;
-  Pack product[Stencil::num_sites];
-  product[0] = Pack{1};
+  Pack{1}.store(kept.weight[0]);
   Pack first{0};
   std::size_t count = 1;
   for (std::size_t axis = D; axis-- > 0;) {
@@ -68,12 +66,12 @@ inline void keep(const ShapeType& shape, const CarriedBlock<D>& block, Index p,
     const Pack base = floor(along);
     const auto weight = shape.weights(along - base + ShapeType::shift);
     for (std::size_t n = count; n-- > 0;) {
-      for (std::size_t i = S; i-- > 0;) product[n * S + i] = product[n] * weight[i];
+      const Pack product = Pack::load(kept.weight[n]);
+      for (std::size_t i = S; i-- > 0;) (product * weight[i]).store(kept.weight[n * S + i]);
     }
     count *= S;
-    first = first * static_cast<double>(Stencil::edge) + (base - block.first[axis]);
+    first = first * static_cast<double>(SiteStencil<D, S>::edge) + (base - block.first[axis]);
   }
-  for (std::size_t n = 0; n < Stencil::num_sites; ++n) product[n].store(kept.weight[n]);
   kept.first = first;
 }
 
@@ -118,16 +116,19 @@ inline void for_each_site(const CarriedBlock<D>& block, Body&& body) noexcept {
   }
 }
 
-/// Adds a tile to the sums, but nothing where no point is: there may be a site of another block.
+/// Where the tile of a four begins in those of all, one after the other.
 template <int D, std::size_t S>
-inline void add_to_sums(const CarriedBlock<D>& block, const double* tile, const FourSums& sums) noexcept {
-  for_each_site<D, S>(block, [&](Index place, Index site) {
-    const double* from = tile + 4 * place;
-    if (from[0] == 0 && from[1] == 0 && from[2] == 0 && from[3] == 0) return;
-    for (std::size_t f = 0; f < static_cast<std::size_t>(sums.count); ++f) {
-      sums.sum[f][site * sums.step[f]] += from[f];
-    }
-  });
+[[nodiscard]] constexpr Index tile_start(Index four) noexcept {
+  return four * (4 * SiteTile<D, S>::num_sites);
+}
+
+/// Adds a four of a site in its tile to the sums, but nothing where no point is: there may be a site of
+/// another block.
+inline void add_to_sums(const double* from, const FourSums& sums, Index site) noexcept {
+  if (from[0] == 0 && from[1] == 0 && from[2] == 0 && from[3] == 0) return;
+  for (std::size_t f = 0; f < static_cast<std::size_t>(sums.count); ++f) {
+    sums.sum[f][site * sums.step[f]] += from[f];
+  }
 }
 
 /// Adds what points with one stencil give, a plane of its sites at a time: those stay in registers.
@@ -154,28 +155,42 @@ inline void add_alike(const PackSites<D, S>& sites, const double (&given)[Pack::
   }
 }
 
+/// What the points of a pack give to the sums, in fours, point by point.
+inline void keep_given(const FourSums& sums, const Pack& mass, Index p,
+                       double (&given)[Pack::size][4]) noexcept {
+  Pack fields[4];
+  for (std::size_t f = 0; f < 4; ++f) {
+    fields[f] = f < static_cast<std::size_t>(sums.count) ? mass : Pack{0};
+    if (sums.field[f] != nullptr) fields[f] = mass * Pack::load(sums.field[f] + p);
+  }
+  to_fours(fields, given[0], 4);
+}
+
+/// Weights are taken, and sites looked up, once for all fours.
 template <int D, class ShapeType>
 SCREE_KERNEL void to_sites(const AnyShape& any_shape, const CarriedBlock<D>& block,
-                           const FourSums& sums) noexcept {
+                           const SiteSums& sums) noexcept {
   constexpr std::size_t S = ShapeType::support;
   const auto shape = the<ShapeType>(any_shape);
-  alignas(64) double tile[static_cast<std::size_t>(4 * SiteTile<D, S>::num_sites)];
-  std::fill_n(tile, 4 * SiteTile<D, S>::num_sites, 0.0);
+  alignas(64) double tiles[static_cast<std::size_t>(tile_start<D, S>(SiteSums::most))];
+  std::fill_n(tiles, tile_start<D, S>(sums.num_fours), 0.0);
   PackSites<D, S> sites;
-  alignas(64) double given[Pack::size][4];
+  alignas(64) double given[SiteSums::most][Pack::size][4];
   for (Index p = block.begin; p < block.end; p += Pack::size) {
     keep(shape, block, p, sites);
     const Pack mass = Pack::load(block.mass + p);
-    Pack fields[4];
-    for (std::size_t f = 0; f < 4; ++f) {
-      fields[f] = f < static_cast<std::size_t>(sums.count) ? mass : Pack{0};
-      if (sums.field[f] != nullptr) fields[f] = mass * Pack::load(sums.field[f] + p);
-    }
-    to_fours(fields, given[0], 4);
-    for_each_alike<(S > 1)>(sites.first,
-                            [&](const AlikeLanes& alike) { add_alike<D, S>(sites, given, alike, tile); });
+    for (Index f = 0; f < sums.num_fours; ++f) keep_given(sums.fours[f], mass, p, given[f]);
+    for_each_alike<(S > 1)>(sites.first, [&](const AlikeLanes& alike) {
+      for (Index f = 0; f < sums.num_fours; ++f) {
+        add_alike<D, S>(sites, given[f], alike, tiles + tile_start<D, S>(f));
+      }
+    });
   }
-  add_to_sums<D, S>(block, tile, sums);
+  for_each_site<D, S>(block, [&](Index place, Index site) {
+    for (Index f = 0; f < sums.num_fours; ++f) {
+      add_to_sums(tiles + tile_start<D, S>(f) + 4 * place, sums.fours[f], site);
+    }
+  });
 }
 
 /// Points of a pack that have one stencil, on their way.
