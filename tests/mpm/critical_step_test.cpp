@@ -9,10 +9,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace scree::mpm {
@@ -55,14 +60,10 @@ constexpr double enough = 1e5;  // [-], of growth: the waves are linear still
 
 /// How a disturbance of everything, small and at random, grows: its largest in the second `num_steps` steps
 /// over that in the first, or `enough`.
-[[nodiscard]] double growth(const Bar& bar, double sum, int num_steps) {
+[[nodiscard]] double growth(Particles<1, 1> particles, const Stages<1, 1>& stages, double dt, int num_steps) {
   constexpr double amplitude = 1e-10;  // of velocity over h/dt
-  constexpr double dt = 0.01;
-  auto particles = points_of(bar);
   fill_at_random(particles.velocity, amplitude * spacing / dt);
   fill_at_random(particles.velocity_gradient, amplitude / dt);
-  auto stages = stages_of<1, 1>(particles, bar.shape, bar.transfer, fluid_of(sum, bar.viscous, dt));
-  stages.order = bar.order;
   auto state = start(std::move(particles), cube<1>(num_cells, spacing, true), stages, one_thread);
   double first = amplitude / dt;
   double second = 0;
@@ -73,6 +74,14 @@ constexpr double enough = 1e5;  // [-], of growth: the waves are linear still
     if (most > enough * amplitude / dt) return enough;
   }
   return second / first;
+}
+
+[[nodiscard]] double growth(const Bar& bar, double sum, int num_steps) {
+  constexpr double dt = 0.01;
+  auto particles = points_of(bar);
+  auto stages = stages_of<1, 1>(particles, bar.shape, bar.transfer, fluid_of(sum, bar.viscous, dt));
+  stages.order = bar.order;
+  return growth(std::move(particles), stages, dt, num_steps);
 }
 
 [[nodiscard]] std::string name_of(const Bar& bar) {
@@ -114,6 +123,123 @@ TEST(CriticalSum, IsWhereWavesBeginToGrow) {  // Eqs. (M173), (M174)
     EXPECT_LE(growth(bar, 0.97 * sum, num_steps), 2) << name_of(bar);
     EXPECT_GE(growth(bar, 1.03 * sum, num_steps), std::pow(1.03, num_steps) / 10) << name_of(bar);
   }
+}
+
+/// Points at random, in every cell, in half of them or one in every fourth, are at their limit no later than
+/// (M174) of the means says, which so is no reason to stop a run that would hold.
+TEST(CriticalSum, IsNotExceededByPointsAtRandom) {  // Eq. (M174)
+  constexpr int num_steps = 200;
+  constexpr double dt = 0.01;
+  const CartesianGrid<1> grid = cube<1>(num_cells, spacing, true);
+  for (const double length : {1.0, 0.5, 0.25}) {  // of the part of each fourth cell that points are in
+    for (const AnyShape& shape : {AnyShape{Linear{}}, AnyShape{Quadratic{}}}) {
+      for (const AnyTransfer& transfer : {AnyTransfer{Apic{}}, AnyTransfer{PicFlip{1}}}) {
+        auto particles = scattered<1>(grid, 2 * num_cells, 0);
+        for (double& x : particles.position.values()) {
+          const double four = 4 * spacing;
+          const double begin = std::floor(x / four) * four;
+          x = begin + length * (x - begin);
+        }
+        std::ranges::fill(particles.mass.values(), 1);
+        const double sum = critical_sums(particles, grid, shape, transfer, Order::usl)[0];
+        const auto stages = stages_of<1, 1>(particles, shape, transfer, fluid_of(1.03 * sum, 0, dt));
+
+        EXPECT_GE(growth(std::move(particles), stages, dt, num_steps), std::pow(1.03, num_steps) / 10)
+            << "in " << length << " of the bar";
+      }
+    }
+  }
+}
+
+/// A fluid with a modulus for each point.
+struct Patchwork {
+  static constexpr std::string_view name = "patchwork";
+  template <class Real>
+  struct Input {
+    Real modulus;  // [Pa]
+  };
+  static constexpr std::array<InputColumn, 1> inputs{{{"modulus", "Pa", 1}}};
+  template <class Real>
+  struct State {};
+  static constexpr std::array<StateColumn, 0> states{};
+
+  template <class Real>
+  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
+                                                   const Input<Real>& input, const State<Real>& /*old*/,
+                                                   Real /*dt*/) const noexcept {
+    return {isotropic(-input.modulus * (deformation.density / 1000 - 1)), {}};
+  }
+  [[nodiscard]] Stiffness<double> stiffness(const Deformation<double>& /*deformation*/,
+                                            const Input<double>& input,
+                                            const State<double>& /*state*/) const noexcept {
+    return {std::sqrt(input.modulus / 1000), 0};
+  }
+};
+static_assert(ConstitutiveLaw<Patchwork>);
+
+/// A bar of two points a cell, some of which have a hundredth of the others' modulus, and what its rates say.
+struct PatchyBar {
+  /// @param is_stiff of a point  @param sum (M173) of the mean, over the critical one  @param dt of steps [s]
+  PatchyBar(const std::function<bool(Index)>& is_stiff, double sum, double dt)
+      : particles{points_of({.shape = Quadratic{}, .transfer = Apic{}, .per_cell = 2})},
+        sums{critical_sums(particles, cube<1>(num_cells, spacing, true), Quadratic{}, Apic{}, Order::usl)} {
+    const double speed = std::sqrt(sum * sums[0]) * spacing / dt;
+    const std::size_t column = particles.add_column({"modulus", "K", "Pa"}, 1);
+    double* const modulus = particles.column(column).component(0);
+    for (Index p = 0; p < particles.size(); ++p) {
+      modulus[p] = 1000 * speed * speed / 0.505 * (is_stiff(p) ? 1 : 0.01);  // half of the points are
+    }
+    stages.stress = std::make_unique<StressUpdateBy<1, 1, Patchwork>>(Patchwork{}, particles);
+    stages.transfer = make_transfer<1, 1>(Quadratic{}, Apic{});
+  }
+  [[nodiscard]] double critical() const {
+    return critical_step(sums, cube<1>(num_cells, spacing, true), mean_rates(particles, *stages.stress));
+  }
+
+  Particles<1, 1> particles;
+  Vector<1> sums;
+  Stages<1, 1> stages;
+};
+
+/// By every other point the waves on all the nodes are those of the mean: its critical sum is theirs. Where
+/// one half of the bar is stiff its own waves grow sooner, but by then they do.
+TEST(MeanRates, AreThoseBeyondWhichWavesGrowHoweverTheyAreSpread) {  // Eq. (M199)
+  constexpr int num_steps = 200;
+  constexpr double dt = 0.01;
+  const auto every_other = [](Index p) { return p % 2 == 0; };
+  const auto one_half = [](Index p) { return p < num_cells; };
+  for (const double sum : {0.97, 1.03}) {
+    EXPECT_NEAR(PatchyBar(every_other, sum, dt).critical(), dt / std::sqrt(sum), 100 * round_off);
+    EXPECT_NEAR(PatchyBar(one_half, sum, dt).critical(), dt / std::sqrt(sum), 100 * round_off);
+  }
+
+  const auto grown = [&](const std::function<bool(Index)>& is_stiff, double sum) {
+    PatchyBar bar{is_stiff, sum, dt};
+    return growth(std::move(bar.particles), bar.stages, dt, num_steps);
+  };
+
+  EXPECT_LE(grown(every_other, 0.97), 2);
+  EXPECT_GE(grown(every_other, 1.03), std::pow(1.03, num_steps) / 10);
+  EXPECT_GE(grown(one_half, 1.03), std::pow(1.03, num_steps) / 10);
+}
+
+/// Of the speed of sound the squares, by mass: 3/4 of the mass at 2 m/s, the rest at 1 m/s. What has none
+/// only fills blocks.
+TEST(MeanRates, AreByMass) {
+  Particles<1, 1> particles;
+  particles.resize(3);
+  const std::size_t column = particles.add_column({"modulus", "K", "Pa"}, 1);
+  const std::vector<double> masses{1, 3, 0};
+  const std::vector<double> moduli{1000, 4000, 1e9};
+  std::ranges::copy(masses, particles.mass.component(0));
+  std::ranges::copy(moduli, particles.column(column).component(0));
+  std::ranges::fill(particles.density.values(), 1000);
+  const StressUpdateBy<1, 1, Patchwork> stress{Patchwork{}, particles};
+
+  const Rates mean = mean_rates(particles, stress);
+
+  EXPECT_NEAR(mean.wave_speed, std::sqrt(3.25), 10 * round_off);
+  EXPECT_EQ(mean.kinematic_viscosity, 0);
 }
 
 TEST(CriticalSum, IsThatOfFiniteDifferencesForPointsInTheMiddleOfCells) {

@@ -168,6 +168,24 @@ double critical_step(const Vector<D>& sums, const CartesianGrid<D>& grid, const 
 }
 
 template <int D, int V>
+Rates mean_rates(const Particles<D, V>& particles, const StressUpdate<D, V>& stress) {
+  double mass = 0;
+  double squares = 0;
+  double viscosities = 0;
+  for (Index p = 0; p < particles.size(); ++p) {
+    const double m = particles.mass.component(0)[p];
+    if (!(m > 0)) continue;
+    const BlockStiffness here = stress.stiffness(particles, p, p + 1);
+    mass += m;
+    squares += m * here.wave_speed * here.wave_speed;
+    viscosities += m * here.kinematic_viscosity;
+  }
+  Rates mean;
+  if (mass > 0) mean = {std::sqrt(squares / mass), viscosities / mass, 0, 0};
+  return mean;
+}
+
+template <int D, int V>
 void require_stable(const State<D, V>& state, const Stages<D, V>& stages, const Vector<D>& sums, double dt) {
   const CartesianGrid<D>& grid = state.nodes.grid();
   const double critical = critical_step(sums, grid, state.rates);
@@ -186,6 +204,7 @@ void require_stable(const State<D, V>& state, const Stages<D, V>& stages, const 
 #define SCREE_INSTANCE(D, V)                                                                         \
   template Vector<D> critical_sums(const Particles<D, V>&, const CartesianGrid<D>&, const AnyShape&, \
                                    const AnyTransfer&, Order);                                       \
+  template Rates mean_rates(const Particles<D, V>&, const StressUpdate<D, V>&);                      \
   template void require_stable(const State<D, V>&, const Stages<D, V>&, const Vector<D>&, double);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE

@@ -31,6 +31,13 @@ template <int D>
 [[nodiscard]] double critical_step(const Vector<D>& sums, const CartesianGrid<D>& grid,
                                    const Rates& rates) noexcept;
 
+/// What bounds waves in the mean of all points, by their mass: the root of the mean square of the speed of
+/// sound, and the mean viscosity; no motion and no memory. Beyond critical_step() of these some wave grows,
+/// however sound and viscosity differ from point to point; beyond that of the largest, State::rates, only
+/// where enough of the material has them. Takes a pass over the points.  Eq. (M199)
+template <int D, int V>
+[[nodiscard]] Rates mean_rates(const Particles<D, V>& particles, const StressUpdate<D, V>& stress);
+
 /// For each step of a run whose steps are not those of stable_time_step(), or at large shares of its limits:
 /// a few operations, with the rates that the last step has left. These are the largest of all points, so that
 /// where a few are much faster than the rest the critical step is on the safe side. A longer step is unstable
