@@ -30,7 +30,7 @@ std::string cost_of(const Scene& scene) {
         (node_bytes + static_cast<double>(state.particles.held_bytes()) + sort_bytes) / megabyte);
     const std::string few = simulation.too_few_points();
     if (!few.empty()) lines += "warning: " + few + "\n";
-    const std::string soft = softness_warning(scene, state.particles);
+    const std::string soft = softness_warning(simulation);
     if (!soft.empty()) lines += "warning: " + soft + "\n";
     return lines;
   });

@@ -3,6 +3,7 @@
 #include <scree/rheology/laws.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <variant>
@@ -41,6 +42,19 @@ namespace scree::app {
 [[nodiscard]] inline bool has_local_friction(const rheology::AnyLaw& any_law) {
   return std::visit([]<class Law>(const Law& /*law*/) { return rheology::HasLocalYieldFriction<Law>; },
                     any_law);
+}
+
+/// Its bulk modulus; infinite if it has no key for one [Pa].
+[[nodiscard]] inline double bulk_modulus_of(const rheology::AnyLaw& any_law) {
+  return std::visit(
+      [](const auto& law) {
+        if constexpr (requires { law.bulk_modulus; }) {
+          return static_cast<double>(law.bulk_modulus);
+        } else {
+          return std::numeric_limits<double>::infinity();
+        }
+      },
+      any_law);
 }
 
 }  // namespace scree::app

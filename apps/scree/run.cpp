@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 namespace scree::app {
 
@@ -42,6 +43,7 @@ class RunOnDisk {
       : options_{options},
         scene_text_{scene.text},
         simulation_{scene.scene, options.threads},
+        soft_{softness_warning(simulation_)},
         frames_{open_frames()},
         progress_{options.is_quiet, simulation_.clock.time} {
     io::replace_file(options.directory / "scene.toml", scene.text);
@@ -55,20 +57,21 @@ class RunOnDisk {
     if (const std::string few = simulation_.too_few_points(); !few.empty()) {
       fmt::print(stderr, "scree: warning: {}\n", few);
     }
-    warn_if_soft();
+    if (!soft_.empty()) fmt::print(stderr, "scree: warning: {}\n", soft_);
     const InterruptGuard guard;
     Outcome outcome = Outcome::finished;
-    Standing last = standing();
+    std::optional<Standing> last;
     const auto fail = [&](const std::exception& error) {
       outcome = Outcome::failed;
       failure_ = error.what();
     };
     try {
+      last = standing();
       if (!options_.restart) store_frame();
       while (!simulation_.is_finished() && !guard.is_interrupted()) {
         if (simulation_.step()) store_frame();
         last = standing();
-        progress_.update(last);
+        progress_.update(*last);
       }
       if (!simulation_.is_finished()) outcome = Outcome::interrupted;
       checkpoint();
@@ -77,7 +80,7 @@ class RunOnDisk {
     } catch (const InputError& error) {  // nothing bounds the step: rates have become no numbers
       fail(error);
     }
-    progress_.finish(last);
+    if (last) progress_.finish(*last);
     if (const auto share = simulation_.ill_posed_share(); share && !options_.is_quiet) {
       fmt::print("{:.1f} % of the points are where the law is ill-posed (C > 0)\n", 100 * *share);
     }
@@ -92,15 +95,11 @@ class RunOnDisk {
     return io::FrameWriter::resume(options_.directory, simulation_.clock.step);
   }
 
-  void warn_if_soft() const {
-    if (options_.restart) return;
-    const std::string soft = softness_warning(simulation_.scene(), simulation_.state.particles);
-    if (!soft.empty()) fmt::print(stderr, "scree: warning: {}\n", soft);
-  }
-
+  /// What is there is kept, stable or not.
   void store_frame() {
     write_frame(simulation_, frames_);
     if (simulation_.clock.time >= next_checkpoint_) checkpoint();
+    simulation_.require_stable();
   }
 
   void checkpoint() {
@@ -135,6 +134,7 @@ class RunOnDisk {
   RunOptions options_;
   std::string scene_text_;
   Simulation<D, V> simulation_;
+  std::string soft_;  // what to say of the start, of a restart's too, by the constants of this scene
   io::FrameWriter frames_;
   Progress progress_;
   double next_checkpoint_ = 0;  // [s]

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <numeric>
 
 namespace scree::app {
@@ -196,6 +197,33 @@ void Simulation<D, V>::require_progress(const mpm::TimeStep& next) {
                  ": the run has become unstable; use a smaller share of the limits ([numerics])"};
 }
 
+/// Rates that are no numbers say nothing of it: with them the next step fails.
+template <int D, int V>
+std::string Simulation<D, V>::instability_now() const {
+  const mpm::Rates& rates = state.rates;
+  if (num_points() == 0 ||
+      !std::isfinite(rates.wave_speed + rates.kinematic_viscosity + rates.advection_rate))
+    return {};
+  return instability(scene_, state, *stages_.stress);
+}
+
+template <int D, int V>
+void Simulation<D, V>::require_stable() const {
+  const std::string unstable = instability_now();
+  if (unstable.empty()) return;
+  const auto point = mpm::limiting_point(state.particles, *stages_.stress, grid(), next_step().limit);
+  throw RunError{
+      "the run has become unstable: " + unstable +
+      (point ? "; it is " + mpm::point_name(state.particles, *point) + " that bounds the step" : "")};
+}
+
+/// Those of a checkpoint are by the constants that its law had.
+template <int D, int V>
+void Simulation<D, V>::renew_rates() {
+  const mpm::BlockStiffness now = stages_.stress->stiffness(state.particles, 0, state.particles.size());
+  state.rates = {now.wave_speed, now.kinematic_viscosity, state.rates.advection_rate, now.relaxation_rate};
+}
+
 template <int D, int V>
 void Simulation<D, V>::advance(double dt) {
   try {
@@ -235,6 +263,10 @@ void Simulation<D, V>::resume() {
   while (clock.frame > 1 && static_cast<double>(clock.frame - 1) * every > clock.time) --clock.frame;
   while (static_cast<double>(clock.frame) * every <= clock.time) ++clock.frame;
   if (num_points() == 0) state.needs_sort = true;  // as count_updates() left it
+  if (instability_now().empty()) return;
+  renew_rates();
+  const std::string unstable = instability_now();
+  require(unstable.empty(), unstable);
 }
 
 template <int D, int V>

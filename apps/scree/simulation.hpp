@@ -51,7 +51,11 @@ class Simulation {
   /// @throws RunError naming a material point gone wrong, or if the stable step collapses.
   bool step();
   /// Readies all that follows from points, blocks and clock, after these were read from a checkpoint.
+  /// @throws InputError if waves would grow on them at the next step.
   void resume();
+  /// Checks that no wave grows on the points as they are at the next step: for now and then.
+  /// @throws RunError naming the key of [numerics], what it may be, and the point that bounds the step.
+  void require_stable() const;
 
   [[nodiscard]] bool is_finished() const noexcept;
   /// When the next frame is due [s].
@@ -101,6 +105,8 @@ class Simulation {
   void follow_grains();
   void advance(double dt);
   void require_progress(const mpm::TimeStep& next);
+  [[nodiscard]] std::string instability_now() const;
+  void renew_rates();
 
  public:
   mpm::State<D, V> state;

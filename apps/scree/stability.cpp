@@ -2,6 +2,8 @@
 
 #include "scree/axes.hpp"
 #include "scree/dimensions.hpp"
+#include "scree/law_columns.hpp"
+#include "scree/simulation.hpp"
 #include "scree/streams.hpp"
 
 #include <scree/mpm/critical_step.hpp>
@@ -10,22 +12,39 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <string_view>
 
 namespace scree::app {
 
 namespace {
 
-/// The step from which on waves grow on points as they lie [s]; that of any scheme, if `dt` is not longer.
+constexpr double slack = 1 + 1e-9;  // of a step and the critical one: both are rounded
+
+/// The step from which on waves grow under any scheme, wherever points lie [s].
+template <int D>
+[[nodiscard]] double critical_step_of_any(const CartesianGrid<D>& grid, const mpm::Rates& rates) {
+  return mpm::critical_step<D>(Vector<D>::Constant(mpm::least_critical_sum), grid, rates);
+}
+
 template <int D, int V>
-[[nodiscard]] double critical_step(const Scene& scene, const mpm::State<D, V>& state, double dt) {
-  const CartesianGrid<D>& grid = state.nodes.grid();
-  const Vector<D> least = Vector<D>::Constant(mpm::least_critical_sum);
-  const double of_any = mpm::critical_step<D>(least, grid, state.rates);
-  if (dt <= of_any) return of_any;
-  const Vector<D> sums = mpm::critical_sums(state.particles, grid, scene.shape, scene.transfer, scene.order);
-  return mpm::critical_step(sums, grid, state.rates);
+[[nodiscard]] Vector<D> critical_sums(const Scene& scene, const mpm::State<D, V>& state) {
+  return mpm::critical_sums(state.particles, state.nodes.grid(), scene.shape, scene.transfer, scene.order);
+}
+
+/// The share that bounds a step, by its key.
+struct Share {
+  std::string_view key;
+  double value;
+};
+
+[[nodiscard]] Share share_of(mpm::Limit limit, const mpm::TimeStepOptions& options) {
+  if (limit == mpm::Limit::maximum) return {"maximum_dt", options.maximum};
+  return {mpm::limit_names[static_cast<std::size_t>(limit)],
+          limit == mpm::Limit::acoustic    ? options.acoustic
+          : limit == mpm::Limit::advective ? options.advective
+          : limit == mpm::Limit::viscous   ? options.viscous
+                                           : options.relaxation};
 }
 
 /// Four digits, rounded down.
@@ -45,40 +64,114 @@ template <class List>
   return std::visit([](const auto& entry) { return entry.name; }, list);
 }
 
-[[nodiscard]] double bulk_modulus_of(const rheology::AnyLaw& any_law) {
-  return std::visit(
-      [](const auto& law) {
-        if constexpr (requires { law.bulk_modulus; }) {
-          return static_cast<double>(law.bulk_modulus);
-        } else {
-          return std::numeric_limits<double>::infinity();
-        }
-      },
-      any_law);
+/// `transfer = "apic", shape = "linear", order = "usl"`
+[[nodiscard]] std::string scheme_of(const Scene& scene) {
+  return fmt::format("transfer = \"{}\", shape = \"{}\", order = \"{}\"", name_in(scene.transfer),
+                     name_in(scene.shape), mpm::order_names[static_cast<std::size_t>(scene.order)]);
+}
+
+constexpr double soft = 0.1;  // [-], of the modulus: half of it of the height is compression, which is seen
+constexpr double margin = 1 + 1e-6;  // of advice: density is integrated in steps, and sums are rounded
+
+/// Of points that begin as dense as they will stay.
+template <int D, int V>
+[[nodiscard]] std::string warning_of_density(const Simulation<D, V>& simulation, double modulus) {
+  const Scene& scene = simulation.scene();
+  const mpm::Particles<D, V>& particles = simulation.state.particles;
+  const double density = std::visit([](const auto& law) { return law.density; }, scene.law);
+  double highest = density;
+  double mass = 0;
+  double volume = 0;
+  for (Index p = 0; p < particles.size(); ++p) {
+    const double here = particles.density.component(0)[p];
+    highest = std::max(highest, here);
+    mass += particles.mass.component(0)[p];
+    volume += particles.mass.component(0)[p] / here;
+  }
+  if (!(std::log(highest / density) >= soft)) return {};
+  // highest/density = exp(weight/modulus) (1 + surface/modulus), no more than exp((weight + surface)/modulus)
+  const double surface = scene.material.surface_pressure;
+  const double weight = modulus * (std::log(highest / density) - std::log1p(surface / modulus));
+  return fmt::format(
+      "[rheology] bulk_modulus = {:g}: at the start the material is up to {:.0f} % denser, and {:.0f} % "
+      "heavier in all, than where nothing presses, and will swell and sink by as much as it spreads and "
+      "heaps up: give {:.3g} or more to keep the first to about a tenth [Pa]",
+      modulus, 100 * (highest / density - 1), 100 * (mass / (density * volume) - 1),
+      lengthened((weight + surface) / soft * margin));
+}
+
+/// What the heaviest column of cells weighs, over its area [Pa].
+template <int D, int V>
+[[nodiscard]] double largest_load(const Simulation<D, V>& simulation) {
+  const CartesianGrid<D>& grid = simulation.grid();
+  const mpm::Particles<D, V>& particles = simulation.state.particles;
+  const int normal = normal_component(D);
+  const double gravity = std::abs(simulation.stages().gravity[static_cast<std::size_t>(normal)]);
+  std::map<Indices<D>, double> loads;
+  for (Index p = 0; p < particles.size(); ++p) {
+    Indices<D> column{};
+    double area = 1;  // [m^2], of what points are the mass of: per metre across, or of a radian
+    for (int d = 0; d < D; ++d) {
+      if (d == normal) continue;
+      const double place = (particles.position.component(d)[p] - grid.origin()[d]) / grid.spacing()[d];
+      column[static_cast<std::size_t>(d)] = static_cast<Index>(std::floor(place));
+      area *= grid.spacing()[d];
+      if (d == 0 && simulation.scene().mesh.is_axisymmetric) {
+        area *= (std::floor(place) + 0.5) * grid.spacing()[d];
+      }
+    }
+    loads[column] += gravity * particles.mass.component(0)[p] / area;
+  }
+  double most = 0;
+  for (const auto& [column, load] : loads) most = std::max(most, load);
+  return most;
+}
+
+/// Of points that another run has left, maybe under another modulus. At rest p = K (rho/rho_0 - 1) bears what
+/// is above.
+template <int D, int V>
+[[nodiscard]] std::string warning_of_weight(const Simulation<D, V>& simulation, double modulus) {
+  const double load = largest_load(simulation);
+  if (!(load / modulus >= std::expm1(soft))) return {};
+  return fmt::format(
+      "[rheology] bulk_modulus = {:g}: the points of [material] checkpoint weigh up to {:.4g} Pa on what is "
+      "below them, which makes it {:.0f} % denser than where nothing presses, and it will swell and sink by "
+      "as much as it spreads and heaps up: give {:.3g} or more to keep that to about a tenth [Pa]",
+      modulus, load, 100 * load / modulus, lengthened(load / std::expm1(soft) * margin));
 }
 
 }  // namespace
 
 template <int D, int V>
 void require_stable_step(const Scene& scene, const mpm::State<D, V>& state) {
-  const mpm::TimeStep step = mpm::stable_time_step(state.nodes.grid(), state.rates, scene.time_step);
-  const double critical = critical_step(scene, state, step.dt);
-  constexpr double slack = 1 + 1e-9;  // both are rounded
+  const CartesianGrid<D>& grid = state.nodes.grid();
+  const mpm::TimeStep step = mpm::stable_time_step(grid, state.rates, scene.time_step);
+  if (step.dt <= critical_step_of_any(grid, state.rates)) return;
+  const double critical = mpm::critical_step(critical_sums(scene, state), grid, state.rates);
   if (step.dt <= critical * slack) return;
-  const mpm::TimeStepOptions& options = scene.time_step;
-  const bool is_own = step.limit == mpm::Limit::maximum;
-  const double value = step.limit == mpm::Limit::acoustic    ? options.acoustic
-                       : step.limit == mpm::Limit::advective ? options.advective
-                       : step.limit == mpm::Limit::viscous   ? options.viscous
-                       : is_own                              ? options.maximum
-                                                             : options.relaxation;
+  const auto [key, value] = share_of(step.limit, scene.time_step);
   throw InputError{fmt::format(
       "[numerics] {} = {:g}: must be at most {:.4g}: it allows steps of {:.4g} s, and from the critical one, "
-      "{:.4g} s, on waves of sound and viscosity grow under transfer = \"{}\", shape = \"{}\", order = "
-      "\"{}\"",
-      is_own ? "maximum_dt" : mpm::limit_names[static_cast<std::size_t>(step.limit)], value,
-      shortened(value * critical / step.dt), step.dt, critical, name_in(scene.transfer), name_in(scene.shape),
-      mpm::order_names[static_cast<std::size_t>(scene.order)])};
+      "{:.4g} s, on waves of sound and viscosity grow under {}",
+      key, value, shortened(value * critical / step.dt), step.dt, critical, scheme_of(scene))};
+}
+
+template <int D, int V>
+std::string instability(const Scene& scene, const mpm::State<D, V>& state,
+                        const mpm::StressUpdate<D, V>& stress) {
+  const CartesianGrid<D>& grid = state.nodes.grid();
+  const mpm::TimeStep step = mpm::stable_time_step(grid, state.rates, scene.time_step);
+  const mpm::Rates mean = mpm::mean_rates(state.particles, stress);
+  if (step.dt <= critical_step_of_any(grid, mean)) return {};
+  const Vector<D> sums = critical_sums(scene, state);
+  const double critical = mpm::critical_step(sums, grid, mean);
+  if (step.dt <= critical * slack) return {};
+  const auto [key, value] = share_of(step.limit, scene.time_step);
+  const double safe = std::min(critical, mpm::critical_step(sums, grid, state.rates));
+  return fmt::format(
+      "[numerics] {} = {:g}: allows steps of {:.4g} s, and from {:.4g} s on, the critical one in the mean of "
+      "all points, waves of sound and viscosity grow under {}: give at most {:.4g}",
+      key, value, step.dt, critical, scheme_of(scene), shortened(value * safe / step.dt));
 }
 
 template <int D, int V>
@@ -104,38 +197,20 @@ void require_stiff(const Scene& scene, const Filling<D>& filling, const mpm::Sta
 }
 
 template <int D, int V>
-std::string softness_warning(const Scene& scene, const mpm::Particles<D, V>& particles) {
-  constexpr double soft = 0.1;  // [-], of the modulus: half of it of the height is compression, which is seen
+std::string softness_warning(const Simulation<D, V>& simulation) {
+  const Scene& scene = simulation.scene();
   const double modulus = bulk_modulus_of(scene.law);
-  if (scene.material.stored || !std::isfinite(modulus)) return {};
-  const double density = std::visit([](const auto& law) { return law.density; }, scene.law);
-  double highest = density;
-  double mass = 0;
-  double volume = 0;
-  for (Index p = 0; p < particles.size(); ++p) {
-    const double here = particles.density.component(0)[p];
-    highest = std::max(highest, here);
-    mass += particles.mass.component(0)[p];
-    volume += particles.mass.component(0)[p] / here;
-  }
-  if (!(std::log(highest / density) >= soft)) return {};
-  // highest/density = exp(weight/modulus) (1 + surface/modulus), no more than exp((weight + surface)/modulus)
-  const double surface = scene.material.surface_pressure;
-  const double weight = modulus * (std::log(highest / density) - std::log1p(surface / modulus));
-  constexpr double margin = 1 + 1e-6;  // density is integrated in steps
-  return fmt::format(
-      "[rheology] bulk_modulus = {:g}: at the start the material is up to {:.0f} % denser, and {:.0f} % "
-      "heavier in all, than where nothing presses, and will swell and sink by as much as it spreads and "
-      "heaps up: give {:.3g} or more to keep the first to about a tenth [Pa]",
-      modulus, 100 * (highest / density - 1), 100 * (mass / (density * volume) - 1),
-      lengthened((weight + surface) / soft * margin));
+  if (!std::isfinite(modulus)) return {};
+  return scene.material.stored ? warning_of_weight(simulation, modulus)
+                               : warning_of_density(simulation, modulus);
 }
 
-#define SCREE_INSTANCE(D, V)                                                             \
-  template void require_stable_step(const Scene&, const mpm::State<D, V>&);              \
-  template void require_stiff(const Scene&, const Filling<D>&, const mpm::Stages<D, V>&, \
-                              const mpm::Particles<D, V>&);                              \
-  template std::string softness_warning(const Scene&, const mpm::Particles<D, V>&);
+#define SCREE_INSTANCE(D, V)                                                                               \
+  template void require_stable_step(const Scene&, const mpm::State<D, V>&);                                \
+  template std::string instability(const Scene&, const mpm::State<D, V>&, const mpm::StressUpdate<D, V>&); \
+  template void require_stiff(const Scene&, const Filling<D>&, const mpm::Stages<D, V>&,                   \
+                              const mpm::Particles<D, V>&);                                                \
+  template std::string softness_warning(const Simulation<D, V>&);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
 

@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <thread>
 
@@ -208,6 +209,78 @@ TEST(Program, RunWhoseRatesOverflowEndsWithCode3AndItsSummary) {
       << result.output;
   EXPECT_EQ(nlohmann::json::parse(text_of(directory / "summary.json"))["outcome"],
             "failed: stable_time_step: nothing bounds the step; give a maximum");
+}
+
+/// A run that begins to go wrong in its first step ends like one that does so later.
+TEST(Program, RestartWhoseRatesAreNoNumbersEndsWithCode3AndItsSummary) {
+  const fs::path directory = fresh("no_rates");
+  const std::string run = "run " + scene_file("inclined_plane_column") + " --quiet --output " +
+                          directory.string() + " --set time.end=";
+  ASSERT_EQ(scree(run + "0.01").exit_code, 0);
+  const fs::path checkpoint = directory / "checkpoint.h5";
+  Simulation<1, 2> column{scene_of("inclined_plane_column"), {1}};
+  read_checkpoint_into(column, checkpoint);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  column.state.rates = {none, none, none, none};
+  write_checkpoint(column, checkpoint, "");
+
+  const Result result = scree(run + "0.02 --restart " + checkpoint.string());
+
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(nlohmann::json::parse(text_of(directory / "summary.json"))["outcome"],
+            "failed: stable_time_step: nothing bounds the step; give a maximum");
+}
+
+/// A column that thickens as it is sheared, mu = 1e4 Pa s^2 times the shear rate, under FLIP on hat
+/// functions. At rest sound alone bounds its step. Under 30 degrees the shear stress, 4905 Pa/m times the
+/// depth, leads to a viscosity of two thirds of the largest in the mean, and at the viscous limit to a sum of
+/// 8/9 or more, of 0.59 that hold. Before that the waves that grow have thickened it so that steps collapse.
+TEST(Program, RunThatBecomesUnstableEndsWithCode3AndAllItHad) {
+  const fs::path directory = fresh("unstable");
+  const std::string file = directory.string() + ".toml";
+  fs::create_directories(directory);
+  std::ofstream{file} << R"([mesh]
+dimensions = 1
+velocity_components = 2
+size = [1.0]
+cells = 8
+[boundaries]
+y_low = "no_slip"
+y_high = "slip"
+[material]
+low = [0.0]
+high = [0.75]
+[gravity]
+slope_degrees = 30
+[rheology]
+law = "herschel_bulkley"
+yield_stress = 0
+regularisation_time = 1000
+consistency = 1e4
+exponent = 2
+bulk_modulus = 1e6
+density = 1000
+[numerics]
+transfer = "pic_flip"
+increment_share = 1
+viscous = 1
+[time]
+end = 10
+[output]
+every = 0.01
+)";
+
+  const Result result = scree("run " + file + " --quiet --output " + directory.string());
+
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.output.rfind("scree: the run failed at step ", 0), 0U) << result.output;
+  EXPECT_NE(result.output.find(" s: the run has become unstable: [numerics] "), std::string::npos)
+      << result.output;
+  const auto summary = nlohmann::json::parse(text_of(directory / "summary.json"));
+  const io::FrameReader reader{directory};
+  EXPECT_EQ(reader.frames().back().time, summary["time"]);
+  EXPECT_EQ(reader.read(reader.frames().back(), "mass").size(), 18U);
+  EXPECT_TRUE(fs::exists(directory / "checkpoint.h5"));
 }
 
 /// A stream of 2 x 2 points a cell, 0.1 m long when it begins, that crosses a mesh of 1 m at 1 m/s, without

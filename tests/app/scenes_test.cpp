@@ -21,9 +21,10 @@ TEST(Scenes, EachReadsAndTakesTenSteps) {
     const Scene scene = scene_of(file.path().stem());
     with_dimensions(scene, [&](auto dimensions, auto components) {
       Simulation<dimensions(), components()> simulation{scene, {2}};
-      EXPECT_EQ(softness_warning(scene, simulation.state.particles), "") << file.path();
+      EXPECT_EQ(softness_warning(simulation), "") << file.path();
       for (int i = 0; i < 10; ++i) simulation.step();
       EXPECT_EQ(simulation.clock.step, 10) << file.path();
+      EXPECT_NO_THROW(simulation.require_stable()) << file.path();
     });
     ++num_scenes;
   }

@@ -2,12 +2,14 @@
 
 #include "scree/stability.hpp"
 
+#include "scree/restart.hpp"
 #include "scree/simulation.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numeric>
 #include <string>
 
@@ -15,10 +17,10 @@ namespace scree::app::testing {
 namespace {
 
 /// A column of cells of 0.125 m, in which sound runs at 10 m/s.
-[[nodiscard]] Simulation<1, 1> column(const std::string& numerics, double viscosity, double gravity = 0,
+[[nodiscard]] std::string column_text(const std::string& numerics, double viscosity, double gravity = 0,
                                       double bulk_modulus = 1e5, int points_per_cell = 1,
                                       double surface_pressure = 0) {
-  const std::string text = R"([mesh]
+  return R"([mesh]
 dimensions = 1
 size = [1.0]
 cells = 8
@@ -28,29 +30,42 @@ y_high = "slip"
 [material]
 low = [0.0]
 high = [0.75]
-points_per_cell = )" + std::to_string(points_per_cell) +
-                           "\nsurface_pressure = " + std::to_string(surface_pressure) +
-                           R"(
+points_per_cell = )" +
+         std::to_string(points_per_cell) + "\nsurface_pressure = " + std::to_string(surface_pressure) +
+         R"(
 [time]
 end = 1
 [rheology]
 law = "newtonian"
 density = 1000
-viscosity = )" + std::to_string(viscosity) +
-                           "\nbulk_modulus = " + std::to_string(bulk_modulus) +
-                           "\n[gravity]\nmagnitude = " + std::to_string(gravity) + "\n[numerics]\n" +
-                           numerics;
+viscosity = )" +
+         std::to_string(viscosity) + "\nbulk_modulus = " + std::to_string(bulk_modulus) +
+         "\n[gravity]\nmagnitude = " + std::to_string(gravity) + "\n[numerics]\n" + numerics;
+}
+
+[[nodiscard]] Simulation<1, 1> simulation_of(const std::string& text) {
   return {parse_scene(text, "scene.toml").scene, {1}};
 }
 
 template <class... Keys>
-[[nodiscard]] std::string message_of(Keys... keys) {
+[[nodiscard]] Simulation<1, 1> column(Keys... keys) {
+  return simulation_of(column_text(keys...));
+}
+
+/// What is said when this is done.
+template <class Error, class Action>
+[[nodiscard]] std::string message_when(const Action& action) {
   try {
-    static_cast<void>(column(keys...));
-  } catch (const InputError& error) {
+    action();
+  } catch (const Error& error) {
     return error.what();
   }
   return "no error";
+}
+
+template <class... Keys>
+[[nodiscard]] std::string message_of(Keys... keys) {
+  return message_when<InputError>([&] { static_cast<void>(column(keys...)); });
 }
 
 /// C = 1/sqrt(2) for a point in the middle of each cell and up to three nodes; the share is rounded down.
@@ -110,6 +125,104 @@ TEST(StableStep, LeavesRoomForSoundAndViscosityTogether) {
   EXPECT_EQ(message_of("acoustic = 1\nviscous = 1\nmaximum_dt = 0.008", 400), "no error");
 }
 
+/// Three points a cell under FLIP, whose sum under quadratic shapes is 1.31; at 0.9 of the acoustic limit
+/// steps have 0.81.
+const std::string flip_of_threes = column_text(
+    "transfer = \"pic_flip\"\nincrement_share = 1\nshape = \"quadratic\"\nacoustic = 0.9", 1e-3, 0, 1e5, 3);
+
+/// Brings all points to the middle of their cells, where the sum is 1/2: C = 1/sqrt(2).
+void huddle(Simulation<1, 1>& simulation) {
+  for (double& y : simulation.state.particles.position.values()) y = (std::floor(y / 0.125) + 0.5) * 0.125;
+}
+
+const std::string as_they_huddle =
+    "[numerics] acoustic = 0.9: allows steps of 0.01125 s, and from 0.008839 s on, the critical one in the "
+    "mean of all points, waves of sound and viscosity grow under transfer = \"pic_flip\", shape = "
+    "\"quadratic\", order = \"usl\": give at most 0.7071";
+
+TEST(StableRun, IsThatOfThePointsAsTheyLieByThen) {
+  auto run = simulation_of(flip_of_threes);
+  EXPECT_EQ(message_when<RunError>([&] { run.require_stable(); }), "no error");
+
+  huddle(run);
+
+  EXPECT_EQ(message_when<RunError>([&] { run.require_stable(); }),
+            "the run has become unstable: " + as_they_huddle +
+                "; it is material point 0 at (0.0625) m that bounds the step");
+}
+
+/// Steps are by the fastest point, and 0.9 of its limit is beyond its critical step, 0.71; of points a
+/// quarter as fast, as all are here but one that has left since, they have 0.9/4.
+TEST(StableRun, IsNotStoppedForAFewPointsThatAreFast) {
+  auto run = simulation_of(flip_of_threes);
+  huddle(run);
+  run.state.rates.wave_speed *= 4;
+
+  EXPECT_EQ(message_when<RunError>([&] { run.require_stable(); }), "no error");
+}
+
+TEST(StableRun, IsAnyWhereAllHaveLeft) {
+  auto run = simulation_of(flip_of_threes);
+  huddle(run);
+  for (double& mass : run.state.particles.mass.values()) mass = 0;
+
+  EXPECT_EQ(message_when<RunError>([&] { run.require_stable(); }), "no error");
+}
+
+[[nodiscard]] std::string scratch_file(const std::string& name) {
+  return (std::filesystem::path{::testing::TempDir()} / ("scree_stability_" + name)).string();
+}
+
+/// A restart is refused where the run that goes on would be stopped.
+TEST(StableRestart, IsThatOfThePointsOfTheCheckpoint) {
+  const std::string file = scratch_file("restart.h5");
+  auto run = simulation_of(flip_of_threes);
+  write_checkpoint(run, file, "");
+  auto restarted = simulation_of(flip_of_threes);
+  EXPECT_EQ(message_when<InputError>([&] { read_checkpoint_into(restarted, file); }), "no error");
+
+  huddle(run);
+  write_checkpoint(run, file, "");
+
+  EXPECT_EQ(message_when<InputError>([&] { read_checkpoint_into(restarted, file); }), as_they_huddle);
+}
+
+/// Under a hundred times the modulus sound is ten times as fast: steps of the checkpoint's own rates would be
+/// 0.00625 s, of a critical 0.00125 s. Under twice the modulus they hold, and the first of them is taken.
+TEST(StableRestart, StepsByTheConstantsOfItsOwnScene) {
+  const std::string file = scratch_file("stiffer.h5");
+  write_checkpoint(column("", 1e-3), file, "");
+  const auto first_step = [&](double bulk_modulus) {
+    auto restarted = column("", 1e-3, 0.0, bulk_modulus);
+    read_checkpoint_into(restarted, file);
+    return restarted.next_step().dt;
+  };
+
+  EXPECT_NEAR(first_step(1e5), 0.00625, 0.00625 * 10 * round_off);
+  EXPECT_NEAR(first_step(2e5), 0.00625, 0.00625 * 10 * round_off);
+  EXPECT_NEAR(first_step(1e7), 0.000625, 0.000625 * 10 * round_off);
+}
+
+/// The column with the points of a checkpoint.
+[[nodiscard]] std::string from(const std::string& file, const std::string& text) {
+  const auto begin = text.find("low = [0.0]");
+  const auto end = text.find("[time]");
+  return text.substr(0, begin) + "checkpoint = \"" + file + "\"\n" + text.substr(end);
+}
+
+/// Another run that begins with them is refused on the safe side, as any that begins.
+TEST(StableStep, OfStoredPointsIsThatOfThePointsAsTheyLie) {
+  const std::string file = scratch_file("stored.h5");
+  auto run = simulation_of(flip_of_threes);
+  huddle(run);
+  write_checkpoint(run, file, "");
+
+  EXPECT_EQ(message_when<InputError>([&] { static_cast<void>(simulation_of(from(file, flip_of_threes))); }),
+            "[numerics] acoustic = 0.9: must be at most 0.7071: it allows steps of 0.01125 s, and from the "
+            "critical one, 0.008839 s, on waves of sound and viscosity grow under transfer = \"pic_flip\", "
+            "shape = \"quadratic\", order = \"usl\"");
+}
+
 /// The deepest point lies 0.729 m under the surface: 7153 Pa.
 TEST(StiffLaw, MustBearTheWeightOfItsMaterial) {
   EXPECT_EQ(
@@ -121,8 +234,7 @@ TEST(StiffLaw, MustBearTheWeightOfItsMaterial) {
 }
 
 [[nodiscard]] std::string warning_of(double bulk_modulus, double surface_pressure = 0) {
-  const Simulation<1, 1> soft = column("", 1, 9.81, bulk_modulus, 3, surface_pressure);
-  return softness_warning(soft.scene(), soft.state.particles);
+  return softness_warning(column("", 1, 9.81, bulk_modulus, 3, surface_pressure));
 }
 
 /// The deepest point bears 7153 Pa, 0.358 of 20 kPa: exp(0.358) = 1.43. On the base 7358 Pa press, r = 0.368:
@@ -146,6 +258,27 @@ TEST(SoftLaw, IsWarnedOfNoMoreOnceTheAdviceIsFollowed) {
       "heavier in all, than where nothing presses, and will swell and sink by as much as it spreads and "
       "heaps up: give 2.72e+05 or more to keep the first to about a tenth [Pa]");
   EXPECT_EQ(warning_of(2.72e5, 2e4), "");
+}
+
+/// Points that a stiff law has left are as dense as that makes them; what they weigh is 9.81 m/s^2 of 753 kg,
+/// 0.37 of 20 kPa. exp(0.1) - 1 = 0.1052 is asked for.
+TEST(SoftLaw, IsWarnedOfByTheWeightOfStoredPoints) {
+  const std::string file = scratch_file("weight.h5");
+  const auto stiff = column("", 1, 9.81, 1e6, 3);
+  write_checkpoint(stiff, file, "");
+  const auto masses = stiff.state.particles.mass.values();
+  ASSERT_NEAR(std::accumulate(masses.begin(), masses.end(), 0.0), 752.8, 0.05);
+  const auto warning = [&](double bulk_modulus) {
+    return softness_warning(simulation_of(from(file, column_text("", 1, 9.81, bulk_modulus, 3))));
+  };
+
+  EXPECT_EQ(
+      warning(2e4),
+      "[rheology] bulk_modulus = 20000: the points of [material] checkpoint weigh up to 7385 Pa on what "
+      "is below them, which makes it 37 % denser than where nothing presses, and it will swell and sink "
+      "by as much as it spreads and heaps up: give 7.03e+04 or more to keep that to about a tenth [Pa]");
+  EXPECT_NE(warning(7.02e4), "");
+  EXPECT_EQ(warning(7.03e4), "");
 }
 
 /// It is exp(r) times as dense at the deepest point, r by its own depth, and (exp(r) - 1)/r times as heavy.
