@@ -62,6 +62,11 @@ void Progress::update(const Standing& standing) {
   print(standing);
 }
 
+void Progress::leave_line() const {
+  if (!is_quiet_ && is_terminal_ && calls_ > 0) fmt::print("\n");
+  std::fflush(stdout);
+}
+
 void Progress::finish(const Standing& standing) {
   if (is_quiet_) return;
   print(standing);

@@ -23,6 +23,8 @@ class Progress {
 
   /// Prints the line if it is time for it.
   void update(const Standing& standing);
+  /// Leaves the line as it is, for other text to follow on a fresh one.
+  void leave_line() const;
   /// Leaves the terminal on a fresh line.
   void finish(const Standing& standing);
 

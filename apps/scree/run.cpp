@@ -69,7 +69,9 @@ class RunOnDisk {
       last = standing();
       if (!options_.restart) store_frame();
       while (!simulation_.is_finished() && !guard.is_interrupted()) {
-        if (simulation_.step()) store_frame();
+        const bool is_due = simulation_.step();
+        warn();
+        if (is_due) store_frame();
         last = standing();
         progress_.update(*last);
       }
@@ -100,6 +102,14 @@ class RunOnDisk {
     write_frame(simulation_, frames_);
     if (simulation_.clock.time >= next_checkpoint_) checkpoint();
     simulation_.require_stable();
+  }
+
+  /// Of what the last step has found.
+  void warn() {
+    const std::string warning = simulation_.take_warning();
+    if (warning.empty()) return;
+    progress_.leave_line();
+    fmt::print(stderr, "scree: warning: {}\n", warning);
   }
 
   void checkpoint() {

@@ -86,6 +86,7 @@ Simulation<D, V>::Simulation(const Scene& scene, Threads threads)
   const auto masses = state.particles.mass.values();
   tally.first_mass = std::accumulate(masses.begin(), masses.end(), 0.0);
   for (const InflowScene& inflow : scene_.inflows) streams.inflows.push_back(make_inflow(inflow));
+  is_blocked_.resize(streams.inflows.size());
   streams.outflows = outflows_of<D>(scene_, grid());
   streams.taken.resize(streams.outflows.size());
   if (scene_.grains) mixture_.emplace(scene_);
@@ -235,10 +236,23 @@ void Simulation<D, V>::advance(double dt) {
 
 template <int D, int V>
 void Simulation<D, V>::pass_material() {
-  for (auto& inflow : streams.inflows) mpm::take_in(state, stages_, inflow, clock.moved, threads_);
+  for (std::size_t i = 0; i < streams.inflows.size(); ++i) {
+    if (mpm::take_in(state, stages_, streams.inflows[i], clock.moved, threads_)) look_for_blocked(i);
+  }
   for (std::size_t i = 0; i < streams.outflows.size(); ++i) {
     streams.taken[i] += mpm::take_out(state, streams.outflows[i], stages_.balanced);
   }
+}
+
+/// Where a layer has entered, so that it costs little beside the sorting of all points.
+template <int D, int V>
+void Simulation<D, V>::look_for_blocked(std::size_t number) {
+  if (is_blocked_[number]) return;
+  const std::string text =
+      blocked_warning(scene_, number, streams.inflows[number].layer(), state, stages_, clock.moved);
+  if (text.empty()) return;
+  is_blocked_[number] = true;
+  warning_ += (warning_.empty() ? "" : "; ") + text;
 }
 
 /// Points are counted anew only when their number may have changed.

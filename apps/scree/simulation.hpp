@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace scree::app {
@@ -56,6 +57,8 @@ class Simulation {
   /// Checks that no wave grows on the points as they are at the next step: for now and then.
   /// @throws RunError naming the key of [numerics], what it may be, and the point that bounds the step.
   void require_stable() const;
+  /// What to say of a stream that is blocked, once for each; else nothing.
+  [[nodiscard]] std::string take_warning() noexcept { return std::exchange(warning_, {}); }
 
   [[nodiscard]] bool is_finished() const noexcept;
   /// When the next frame is due [s].
@@ -96,7 +99,9 @@ class Simulation {
   Threads most_threads_;
   double point_updates_ = 0;
   Index num_points_ = 0;
-  Index num_passed_ = -1;  // when they were counted
+  Index num_passed_ = -1;         // when they were counted
+  std::vector<bool> is_blocked_;  // by [[inflow]]: it has been said
+  std::string warning_;
 
   [[nodiscard]] mpm::Inflow<D, V> make_inflow(const InflowScene& inflow) const;
   void pass_material();
@@ -107,6 +112,7 @@ class Simulation {
   void require_progress(const mpm::TimeStep& next);
   [[nodiscard]] std::string instability_now() const;
   void renew_rates();
+  void look_for_blocked(std::size_t number);
 
  public:
   mpm::State<D, V> state;

@@ -47,4 +47,13 @@ void require_clear_of_streams(const Scene& scene, const mpm::Particles<D, V>& ma
 /// What to say of streams whose points lie too far apart; nothing if none does.
 [[nodiscard]] std::string too_thin_streams(const Scene& scene);
 
+/// What to say of a stream that is blocked: of the points in the first cell before its box being denser than
+/// they enter, by more than waves and weight make them; else nothing. Looks at every point, as the sorting of
+/// a layer that has entered does.
+/// @param time for the text [s]  @see Eqs. (M188), (M189)
+template <int D, int V>
+[[nodiscard]] std::string blocked_warning(const Scene& scene, std::size_t number,
+                                          const mpm::Particles<D, V>& layer, const mpm::State<D, V>& state,
+                                          const mpm::Stages<D, V>& stages, double time);
+
 }  // namespace scree::app
