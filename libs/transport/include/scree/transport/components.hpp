@@ -2,7 +2,9 @@
 
 #include <scree/tensor.hpp>
 
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace scree::transport {
@@ -21,6 +23,19 @@ constexpr void for_each_component(Body&& body) noexcept {
 [[nodiscard]] constexpr double larger(double a, double b) noexcept {
   return (a > b ? a : b) + 0 * (a + b);
 }
+
+/// `a` if the condition holds, else `b`. With AVX a choice between numbers would become reads and sums under
+/// masks, slow without AVX-512, so bits are chosen; with less than AVX a loop is faster if it branches.
+[[nodiscard]] constexpr double select(bool condition, double a, double b) noexcept {
+#if defined(__AVX__)
+  const std::uint64_t all_or_none = -static_cast<std::uint64_t>(condition);
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) & all_or_none) |
+                               (std::bit_cast<std::uint64_t>(b) & ~all_or_none));
+#else
+  return condition ? a : b;
+#endif
+}
+static_assert(select(true, 1, 2) == 1 && select(false, 1, 2) == 2);
 
 /// a . b, component by component: inside a loop over faces Eigen's own packets would stand in the way of
 /// the compiler's.

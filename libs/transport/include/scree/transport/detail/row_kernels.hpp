@@ -46,11 +46,9 @@ template <class Grid, class R, int N, class Ratios>
     State above;
     for_each_component<N>([&](std::size_t k) {
       const double* component = u + static_cast<Index>(k) * stride;
-      const double value_below = component[row.below + i];  // loaded whether wanted or not: no branch
-      const double value_above = component[row.above + i];
       here[k] = component[row.here + i];
-      below[k] = is_inside ? value_below : here[k];
-      above[k] = is_inside ? value_above : here[k];
+      below[k] = select(is_inside, component[row.below + i], here[k]);
+      above[k] = select(is_inside, component[row.above + i], here[k]);
     });
     const Edges<State> edges = row.ratios.edges(reconstruction, below, here, above, i);
     for_each_component<N>([&](std::size_t k) {
@@ -126,14 +124,14 @@ template <class Grid, class Law, class Flux, int N, class Distance>
       });
       const double diffusion =
           add_diffusion(point_law, site_left, site_right, 1 / row.distance[i], face.value);
-      flux[Out::diffusion * Out::stride + i] = is_open ? density * diffusion : 0.0;
+      flux[Out::diffusion * Out::stride + i] = select(is_open, density * diffusion, 0);
     }
     for_each_component<N>([&](std::size_t k) {
-      flux[static_cast<Index>(k) * Out::stride + i] = is_open ? density * face.value[k] : 0.0;
+      flux[static_cast<Index>(k) * Out::stride + i] = select(is_open, density * face.value[k], 0);
     });
-    flux[Out::drain * Out::stride + i] = is_open ? density * face.speed : 0.0;
+    flux[Out::drain * Out::stride + i] = select(is_open, density * face.speed, 0);
     const bool is_fastest = is_open & (face.speed > fastest[i]);
-    fastest[i] = is_fastest ? face.speed : fastest[i];
+    fastest[i] = select(is_fastest, face.speed, fastest[i]);
   }
 }
 
