@@ -1,3 +1,4 @@
+#include "derivative.hpp"
 #include "points.hpp"
 
 #include <scree/rheology/eigen_symmetric.hpp>
@@ -52,6 +53,21 @@ TEST(EigenSymmetric, FindsKnownEigenvalues) {
   EXPECT_NEAR(values[0], -2, 7 * tolerance);
   EXPECT_NEAR(values[1], 0.5, 7 * tolerance);
   EXPECT_NEAR(values[2], 7, 7 * tolerance);
+}
+
+/// Axes that are principal already turn by a'(0, 1)/(a(0, 0) - a(1, 1)) as a shear sets in.
+TEST(EigenSymmetric, TurnsADualNumberWhoseShearBegins) {
+  using testing::Dual;
+  Tensor<Dual> a;
+  a(0, 0) = 1;
+  a(1, 1) = 2;
+  a(2, 2) = 3;
+  a(0, 1) = a(1, 0) = Dual{0, 1};
+
+  const auto vectors = eigen_symmetric(a).vectors;
+
+  EXPECT_EQ(vectors(1, 0).slope, -1);
+  EXPECT_EQ(vectors(0, 1).slope, 1);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <type_traits>
 
 namespace scree::rheology {
 
@@ -16,10 +18,26 @@ struct EigenSystem {
 
 namespace detail {
 
-/// Turns axes p and q so that a(p, q) vanishes; the smaller of the two angles that do.
+/// Whether a number, or that of any lane of a pack, is other than 0; of a dual number, whose derivative need
+/// not be 0 where it is, always.
+template <class Real>
+[[nodiscard]] bool may_differ_from_zero(const Real& number) noexcept {
+  const auto is_zero = number == 0.0;
+  if constexpr (std::is_same_v<Real, double>) {
+    return !is_zero;
+  } else if constexpr (std::is_same_v<decltype(is_zero), const bool>) {
+    return true;
+  } else {
+    return !all_of(is_zero);
+  }
+}
+
+/// Turns axes p and q so that a(p, q) vanishes; the smaller of the two angles that do. Where it is 0 in all
+/// lanes the turn is none, and is left out: in plane strain that leaves one of fifteen.
 template <class Real>
 void rotate_axes(Tensor<Real>& a, Tensor<Real>& vectors, std::size_t p, std::size_t q) noexcept {
   using std::sqrt;
+  if (!may_differ_from_zero(a(p, q))) return;
   const Real difference = a(q, q) - a(p, p);
   const Real twice = 2.0 * a(p, q);
   const Real root = sqrt(difference * difference + twice * twice);
@@ -60,9 +78,9 @@ void put_larger_first(EigenSystem<Real>& system, std::size_t p, std::size_t q) n
 /// The eigen-system of a symmetric tensor by cyclic Jacobi rotations, \cite golub2013.
 ///
 /// Rotations keep round-off at that of the components and the vectors orthogonal even where eigenvalues
-/// coincide, where closed forms by the characteristic polynomial lose half of the digits. Without branches,
-/// so that packs run it too. Once the rotations are small each sweep squares their error: five sweeps reach
-/// round-off from anywhere.
+/// coincide, where closed forms by the characteristic polynomial lose half of the digits. No lane takes a way
+/// of its own, so that packs run it too. Once the rotations are small each sweep squares their error: five
+/// sweeps reach round-off from anywhere.
 template <class Real>
 [[nodiscard]] EigenSystem<Real> eigen_symmetric(Tensor<Real> a) noexcept {
   constexpr int num_sweeps = 5;
