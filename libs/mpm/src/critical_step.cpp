@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -34,6 +35,35 @@ struct Passing {
       transfer);
 }
 
+/// Points that lie alike in their stencils, to a thousandth of a spacing.
+struct SharedPlace {
+  double xi = 0;     ///< their mean place [spacings]
+  double count = 0;  ///< how many they are
+};
+
+/// Where points lie, so that each wave takes a look at some thousand places at most. Means over points that
+/// lie alike to the bit are theirs; others' are off by the square of the width, not more.
+class SharedPlaces {
+ public:
+  void add(double xi) {
+    const auto bin = static_cast<std::size_t>(std::max(xi, 0.0) * per_spacing);
+    SharedPlace& place = places_[std::min(bin, places_.size() - 1)];
+    ++place.count;
+    place.xi += (xi - place.xi) / place.count;
+  }
+  [[nodiscard]] std::vector<SharedPlace> in_use() const {
+    std::vector<SharedPlace> used;
+    std::ranges::copy_if(places_, std::back_inserter(used),
+                         [](const SharedPlace& one) { return one.count > 0; });
+    return used;
+  }
+
+ private:
+  static constexpr std::size_t per_spacing = 1024;
+  static constexpr std::size_t longest = 4;  // support [nodes]
+  std::vector<SharedPlace> places_ = std::vector<SharedPlace>(longest * per_spacing);
+};
+
 /// Of a wave on the nodes: means over points of what they see of it.  Eq. (M174)
 struct Seen {
   double velocity = 0;   ///< |sum_i w_ip e_i|^2
@@ -42,7 +72,7 @@ struct Seen {
 };
 
 template <class S>
-[[nodiscard]] Seen seen_of(const S& shape, const Passing& passing, std::span<const double> places,
+[[nodiscard]] Seen seen_of(const S& shape, const Passing& passing, std::span<const SharedPlace> places,
                            double wave_number) {
   constexpr std::size_t support = S::support;
   std::array<Vector<2>, support> wave;
@@ -51,7 +81,8 @@ template <class S>
     wave[i] = {std::cos(phase), std::sin(phase)};
   }
   Seen sum;
-  for (const double xi : places) {
+  double number = 0;
+  for (const auto& [xi, count] : places) {
     const auto weights = shape.weights(xi);
     const auto gradients = passing.has_affine_gradient ? shape.affine(xi) : shape.gradients(xi);
     Vector<2> velocity = Vector<2>::Zero();
@@ -62,12 +93,12 @@ template <class S>
       gradient += gradients[i] * wave[i];
       lever += weights[i] * (static_cast<double>(i) - xi) * wave[i];
     }
-    sum.velocity += velocity.squaredNorm();
-    sum.gradient += gradient.squaredNorm();
-    if (passing.has_affine) sum.passed_on += lever.dot(gradient);
+    number += count;
+    sum.velocity += count * velocity.squaredNorm();
+    sum.gradient += count * gradient.squaredNorm();
+    if (passing.has_affine) sum.passed_on += count * lever.dot(gradient);
   }
-  const auto count = static_cast<double>(places.size());
-  return {sum.velocity / count, sum.gradient / count, sum.passed_on / count};
+  return {sum.velocity / number, sum.gradient / number, sum.passed_on / number};
 }
 
 /// The sum at which a wave turns round by each step, -1 times itself.  Eq. (M174)
@@ -78,7 +109,7 @@ template <class S>
   return 2 * kept / (felt * seen.gradient);
 }
 
-[[nodiscard]] double critical_sum(std::span<const double> places, const AnyShape& any_shape,
+[[nodiscard]] double critical_sum(std::span<const SharedPlace> places, const AnyShape& any_shape,
                                   const Passing& passing, Order order) {
   constexpr int num_waves = 32;
   double least = std::numeric_limits<double>::infinity();
@@ -138,19 +169,18 @@ Vector<D> critical_sums(const Particles<D, V>& particles, const CartesianGrid<D>
                         const AnyTransfer& transfer, Order order) {
   const double shift = std::visit([](const auto& s) { return s.shift; }, shape);
   const Passing passing = passing_of(transfer);
-  std::vector<double> places;
-  places.reserve(static_cast<std::size_t>(particles.size()));
   Vector<D> sums;
   for (int axis = 0; axis < D; ++axis) {
-    places.clear();
+    SharedPlaces places;
     for (Index p = 0; p < particles.size(); ++p) {
       if (!(particles.mass.component(0)[p] > 0)) continue;
       const double x = particles.position.component(axis)[p];
       if (!std::isfinite(x)) throw InputError{point_text(particles, p) + " has no finite position"};
-      places.push_back(detail::place_of(x, grid.origin()[axis], 1 / grid.spacing()[axis], shift).xi);
+      places.add(detail::place_of(x, grid.origin()[axis], 1 / grid.spacing()[axis], shift).xi);
     }
-    require(!places.empty(), "critical_sums: there must be a point with mass");
-    sums[axis] = critical_sum(places, shape, passing, order);
+    const std::vector<SharedPlace> in_use = places.in_use();
+    require(!in_use.empty(), "critical_sums: there must be a point with mass");
+    sums[axis] = critical_sum(in_use, shape, passing, order);
   }
   return sums;
 }

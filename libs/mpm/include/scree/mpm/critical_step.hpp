@@ -14,8 +14,8 @@ namespace scree::mpm {
 /// numbers, with what points at these places give to a node and take from it in the mean [-]. Exact where
 /// points form a lattice along the mesh; nodes of little mass have less, means over cells and filters more.
 /// Waves across the mesh are not seen: in two and three dimensions theirs may be lower, which is left to
-/// (M17) and (M19). Takes a pass over the points for each of 32 wave numbers: for once, when a run is
-/// assembled.
+/// (M17) and (M19). Places are taken to a thousandth of a cell. Takes a pass over the points for each axis: for
+/// when a run is assembled, and now and then.
 /// @throws InputError naming a point without a finite position, or if no point has mass.
 /// @see Eqs. (M173), (M174)
 template <int D, int V>
