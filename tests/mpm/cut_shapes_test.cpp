@@ -39,7 +39,9 @@ template <int D>
 class CutAlone final : public Boundary<D> {
  public:
   explicit CutAlone(std::unique_ptr<Boundary<D>> wall) : wall_{std::move(wall)} {}
-  void fold(Nodes<D>& nodes) const noexcept override { wall_->fold(nodes); }
+  void fold(Nodes<D>& nodes, const double* gravity, double dt) const noexcept override {
+    wall_->fold(nodes, gravity, dt);
+  }
   void hold(Nodes<D>& nodes, double dt) const noexcept override { wall_->hold(nodes, dt); }
   void reflect(Nodes<D>& nodes) const noexcept override { wall_->reflect(nodes); }
 
@@ -62,6 +64,8 @@ template <int D>
   return walls;
 }
 
+constexpr std::array<double, 3> no_gravity{};
+
 /// What points give to nodes within walls, in a step of 1 s.
 template <int D>
 void give(const Particles<D>& particles, const ParticleBlocks<D>& blocks, const Transfer<D, D>& transfer,
@@ -70,7 +74,7 @@ void give(const Particles<D>& particles, const ParticleBlocks<D>& blocks, const 
     transfer.scatter(particles, block, nodes, 1);
     for (const auto& wall : walls) transfer.scatter_cut(particles, block, nodes, *wall->cuts_shapes(), 1);
   }
-  for (const auto& wall : walls) wall->fold(nodes);
+  for (const auto& wall : walls) wall->fold(nodes, no_gravity.data(), 1);
 }
 
 /// The largest error of momentum at a node of a mesh with walls all round, in an affine velocity of about 1.
@@ -442,7 +446,7 @@ TEST(CutShapes, TakeThePowerThatTheirForceGives) {  // Eqs. (M10), (M197), at wa
   const ParticleBlock<1>& block = blocks.blocks.front();
   transfer->scatter(particles, block, nodes, 1);
   for (const auto& wall : walls) transfer->scatter_cut(particles, block, nodes, *wall->cuts_shapes(), 1);
-  for (const auto& wall : walls) wall->fold(nodes);
+  for (const auto& wall : walls) wall->fold(nodes, no_gravity.data(), 1);
   const NodeRecord layout = nodes.record();
   const int force = layout.has_increment ? layout.increment() : NodeRecord::momentum;
   std::vector<double> result;

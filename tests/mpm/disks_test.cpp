@@ -182,7 +182,7 @@ TEST(TwoDisks, AreStoppedByParticleInCellTheMoreTheShorterTheStep) {
 /// Kinetic energy of the nodes before and after forces act [J/m]; of a record with increments.
 class NodeEnergies final : public Boundary<2> {
  public:
-  void fold(Nodes<2>& /*nodes*/) const noexcept override {}
+  void fold(Nodes<2>& /*nodes*/, const double* /*gravity*/, double /*dt*/) const noexcept override {}
   void hold(Nodes<2>& nodes, double /*dt*/) const noexcept override {
     before = 0;
     after = 0;

@@ -146,7 +146,7 @@ class BodyForceOf final : public Boundary<2> {
   /// @param time at which a step begins [s]; followed while it changes
   BodyForceOf(const Motion& motion, const double& time) : motion_{motion}, time_{&time} {}
 
-  void fold(Nodes<2>& /*nodes*/) const noexcept override {}
+  void fold(Nodes<2>& /*nodes*/, const double* /*gravity*/, double /*dt*/) const noexcept override {}
   void hold(Nodes<2>& nodes, double dt) const noexcept override {
     const NodeRecord layout = nodes.record();
     for (Index j = 0; j < nodes.count(1); ++j) {

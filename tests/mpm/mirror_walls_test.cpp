@@ -1,10 +1,17 @@
 #include "bodies.hpp"
+#include "dry_wall.hpp"
 #include "messages.hpp"
 #include "schemes.hpp"
 #include "typed_lists.hpp"
 
+#include <scree/mpm/boundaries/frictional.hpp>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <numeric>
+#include <variant>
 #include <vector>
 
 namespace scree::mpm {
@@ -110,6 +117,155 @@ TYPED_TEST(EveryWall, HoldsBeforeItsImageIsTakenByTheWallAcross) {  // one cell 
 
   const Nodes<1>& nodes = state.nodes;
   for (Index n = 0; n < nodes.num_nodes(); ++n) EXPECT_EQ(nodes[n][NodeRecord::momentum], 0);
+}
+
+/// N_j of one axis at x, both in spacings.
+[[nodiscard]] double shape_at(const AnyShape& any, double x, Index node) {
+  return std::visit(
+      [&](const auto& shape) {
+        const double base = std::floor(x - shape.shift);
+        const auto weights = shape.weights(x - base);
+        const double place = static_cast<double>(node) - base;
+        const bool is_reached = 0 <= place && place < static_cast<double>(weights.size());
+        return is_reached ? weights[static_cast<std::size_t>(place)] : 0.0;
+      },
+      any);
+}
+
+/// What a node gets of points, as mass and as weight over gravity [kg], or of one of them [-].
+struct Share {
+  double mass;
+  double weight;
+};
+
+/// Mirrors all round four cells of 1 m or, if told, friction at the low end of the last axis.
+template <int D, class Rule>
+struct Surroundings {
+  AnyShape shape;
+  bool has_friction = false;
+
+  static constexpr Index num_cells = 4;
+
+  [[nodiscard]] bool rubs_at_low_end(int axis) const { return has_friction && axis == D - 1; }
+
+  [[nodiscard]] std::vector<std::unique_ptr<Boundary<D>>> walls() const {
+    std::vector<std::unique_ptr<Boundary<D>>> walls;
+    for (int axis = 0; axis < D; ++axis) {
+      walls.push_back(rubs_at_low_end(axis)
+                          ? make_frictional_wall<D>(Dry{}, {}, Hold::pushes, axis, Side::low)
+                          : make_wall<D>(Rule{}, axis, Side::low));
+      walls.push_back(make_wall<D>(Rule{}, axis, Side::high));
+    }
+    return walls;
+  }
+
+  /// Whether a mirror that the node is on holds this component of velocity.
+  [[nodiscard]] bool holds(const Indices<D>& node, int component) const {
+    for (int axis = 0; axis < D; ++axis) {
+      const Index along = node[static_cast<std::size_t>(axis)];
+      const bool is_on_mirror = along == num_cells || (along == 0 && !rubs_at_low_end(axis));
+      if (is_on_mirror && Rule::holds(component, axis)) return true;
+    }
+    return false;
+  }
+
+  /// By the functions of one axis: N_in + N_img of mass, N_in + P N_img of weight; at a wall with friction
+  /// what (M26) makes of them.
+  [[nodiscard]] Share share_of(double x, Index node, int component, int axis) const {
+    const double parity = Rule::holds(component, axis) ? -1 : 1;
+    const double own = shape_at(shape, x, node);
+    Share share{own, own};
+    const auto add = [&](Index image, double of_mass, double of_weight) {
+      share.mass += of_mass * shape_at(shape, x, image);
+      share.weight += of_weight * shape_at(shape, x, image);
+    };
+    if (rubs_at_low_end(axis)) {
+      if (node == 0) add(-1, 2, 2);
+      if (node == 1) add(-1, -1, -1);
+    } else if (node == 1) {
+      add(-1, 1, parity);
+    }
+    if (node == num_cells - 1) add(num_cells + 1, 1, parity);
+    return share;
+  }
+
+  /// The virtual work of the points' weight where the node has a velocity of 1 m/s, over gravity.
+  [[nodiscard]] Share of_points(const Particles<D>& particles, const Indices<D>& node, int component) const {
+    Share sum{};
+    for (Index p = 0; p < particles.size(); ++p) {
+      const double mass = particles.mass.component(0)[p];
+      Share product{mass, mass};
+      for (int axis = 0; axis < D; ++axis) {
+        const double x = particles.position.component(axis)[p];
+        const Share one = share_of(x, node[static_cast<std::size_t>(axis)], component, axis);
+        product.mass *= one.mass;
+        product.weight *= one.weight;
+      }
+      sum.mass += product.mass;
+      sum.weight += product.weight;
+    }
+    return sum;
+  }
+};
+
+/// Lets points without stress fall from rest for a moment: nodes begin by the weight that virtual work gives
+/// them, over their mass.  Eq. (M200)
+template <int D, class Rule>
+void expect_weight_of_virtual_work(const Surroundings<D, Rule>& around, const AnyTransfer& transfer,
+                                   Order order = Order::usl, bool has_last_wall_first = false) {
+  const auto grid = cube<D>(around.num_cells, 1, false);
+  auto particles = scattered<D>(grid, 50, 0);
+  auto stages = stages_of<D, D>(particles, around.shape, transfer);
+  stages.order = order;
+  stages.boundaries = around.walls();
+  if (has_last_wall_first) std::ranges::reverse(stages.boundaries);
+  for (std::size_t i = 0; i < D; ++i) stages.gravity[i] = static_cast<double>(i + 1);  // away from friction
+  auto state = start(std::move(particles), grid, stages, one_thread);
+  const Particles<D> before = state.particles;
+  const auto masses = before.mass.values();
+  const double total = std::accumulate(masses.begin(), masses.end(), 0.0);
+
+  constexpr double dt = 1.0 / (1 << 20);  // no point leaves its block
+  step(state, stages, dt, one_thread);
+
+  const Nodes<D>& nodes = state.nodes;
+  for (Index n = 0; n < nodes.num_nodes(); ++n) {
+    Indices<D> node{};
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      node[axis] = n / nodes.stride(axis) % nodes.count(axis) + nodes.first(axis);
+    }
+    if (std::ranges::any_of(node, [&](Index k) { return k < 0 || k > around.num_cells; })) continue;
+    for (int i = 0; i < D; ++i) {
+      const double gravity = stages.gravity[static_cast<std::size_t>(i)];
+      const Share share = around.of_points(before, node, i);
+      if (!(share.mass > state.mass_floor)) continue;
+      const double expected = around.holds(node, i) ? 0 : gravity * share.weight / share.mass;
+      EXPECT_NEAR(nodes[n][NodeRecord::momentum + i] / dt, expected,
+                  gravity * rounding_of(D, 4, 1) * total / share.mass);
+    }
+  }
+}
+
+TYPED_TEST(EveryWall, MirrorsWeight) {  // Eq. (M200)
+  for (const AnyShape& shape : every<AnyShape>()) {
+    for (const AnyTransfer& transfer : every<AnyTransfer>()) {
+      expect_weight_of_virtual_work<1, TypeParam>({shape}, transfer);
+      expect_weight_of_virtual_work<2, TypeParam>({shape}, transfer);
+      expect_weight_of_virtual_work<3, TypeParam>({shape}, transfer);
+    }
+  }
+}
+
+TYPED_TEST(EveryWall, MirrorsWeightBesideAWallWithFrictionInAnyOrder) {  // Eqs. (M26), (M200)
+  for (const bool has_last_wall_first : {false, true}) {
+    for (const AnyTransfer& transfer : {AnyTransfer{Apic{}}, AnyTransfer{PicFlip{1}}}) {
+      for (const Order order : {Order::usl, Order::usf}) {
+        expect_weight_of_virtual_work<1, TypeParam>({Cubic{}, true}, transfer, order, has_last_wall_first);
+        expect_weight_of_virtual_work<2, TypeParam>({Cubic{}, true}, transfer, order, has_last_wall_first);
+        expect_weight_of_virtual_work<3, TypeParam>({Cubic{}, true}, transfer, order, has_last_wall_first);
+      }
+    }
+  }
 }
 
 TEST(NoSlip, KeepsALinearProfileOfShearUpToTheWall) {  // Eqs. (M14), (M15)

@@ -46,7 +46,7 @@ class ReadsEverywhere final : public Boundary<D> {
   void mark_read(const Nodes<D>& /*nodes*/, std::span<std::uint8_t> is_read) const noexcept override {
     std::ranges::fill(is_read, std::uint8_t{1});
   }
-  void fold(Nodes<D>& /*nodes*/) const noexcept override {}
+  void fold(Nodes<D>& /*nodes*/, const double* /*gravity*/, double /*dt*/) const noexcept override {}
   void hold(Nodes<D>& /*nodes*/, double /*dt*/) const noexcept override {}
   void reflect(Nodes<D>& /*nodes*/) const noexcept override {}
 };

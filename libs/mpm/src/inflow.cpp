@@ -110,7 +110,7 @@ class InflowHold final : public Boundary<D> {
   InflowHold(std::vector<Index> held, const std::array<double, 3>& velocity, double start, double stop)
       : held_{std::move(held)}, velocity_{velocity}, start_{start}, stop_{stop} {}
 
-  void fold(Nodes<D>& /*nodes*/) const noexcept override {}
+  void fold(Nodes<D>& /*nodes*/, const double* /*gravity*/, double /*dt*/) const noexcept override {}
   void hold(Nodes<D>& nodes, double /*dt*/) const noexcept override { set_velocity(nodes); }
   /// Images too: what walls beside the stream made of them does not hold here.
   void reflect(Nodes<D>& nodes) const noexcept override { set_velocity(nodes); }

@@ -97,7 +97,7 @@ void bring_means(State<D, V>& state, const Stages<D, V>& stages, Threads threads
 template <int D, int V>
 void move_nodes(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads) {
   const Stopwatch watch{state.seconds.nodes};
-  for (const auto& boundary : stages.boundaries) boundary->fold(state.nodes);
+  for (const auto& boundary : stages.boundaries) boundary->fold(state.nodes, stages.gravity.data(), dt);
   advance_momentum(state.nodes, stages.gravity.data(), dt, state.mass_floor, threads);
   for (const auto& boundary : stages.boundaries) boundary->hold(state.nodes, dt);
   if (stages.node_solve) stages.node_solve->solve(state.particles, state.nodes, dt, state.mass_floor);
@@ -157,7 +157,7 @@ void map_to_nodes_and_back(State<D, V>& state, const Stages<D, V>& stages, const
   state.blocks.for_each_coloured(threads, [&](Index b) {
     scatter_block(state, stages, transfer, state.blocks.blocks[static_cast<std::size_t>(b)], 0);
   });
-  for (const auto& boundary : stages.boundaries) boundary->fold(state.nodes);
+  for (const auto& boundary : stages.boundaries) boundary->fold(state.nodes, no_gravity.data(), 0);
   advance_momentum(state.nodes, no_gravity.data(), 0, state.mass_floor, threads);
   for (const auto& boundary : stages.boundaries) boundary->hold_mapped(state.nodes, dt);
   for (const auto& boundary : stages.boundaries) boundary->reflect(state.nodes);

@@ -33,8 +33,11 @@ class Boundary {
   virtual void mark_read(const Nodes<D>& /*nodes*/, std::span<std::uint8_t> /*is_read*/) const noexcept {}
   /// Whether it may read those of other nodes in the next step.
   [[nodiscard]] virtual bool reads_elsewhere() const noexcept { return false; }
-  /// Before momentum is advanced: brings home what points gave to nodes outside.
-  virtual void fold(Nodes<D>& nodes) const noexcept = 0;
+  /// Before momentum is advanced: brings home what points gave to nodes outside. All mass of a node then
+  /// falls alike: where the weight of what comes home is to act otherwise, the difference comes with its
+  /// forces.
+  /// @param gravity of each component of velocity [m/s^2]  @param dt the step [s]
+  virtual void fold(Nodes<D>& nodes, const double* gravity, double dt) const noexcept = 0;
   /// After it: sets the velocities that the boundary prescribes.  @param dt the step [s]
   virtual void hold(Nodes<D>& nodes, double dt) const noexcept = 0;
   /// `hold` for velocities that are only mapped to the nodes, while no force acts: what gives a force instead

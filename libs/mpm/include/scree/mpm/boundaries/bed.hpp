@@ -30,7 +30,7 @@ class Bed final : public Boundary<D> {
     for (const BedNode& bed : nodes_) is_read[static_cast<std::size_t>(bed.node)] = 1;
   }
 
-  void fold(Nodes<D>& /*nodes*/) const noexcept override {}
+  void fold(Nodes<D>& /*nodes*/, const double* /*gravity*/, double /*dt*/) const noexcept override {}
 
   void hold(Nodes<D>& nodes, double dt) const noexcept override {
     const NodeRecord layout = nodes.record();

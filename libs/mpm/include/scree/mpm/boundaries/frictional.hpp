@@ -44,7 +44,8 @@ class FrictionalWall final : public Boundary<D> {
     }
   }
 
-  void fold(Nodes<D>& nodes) const noexcept override {
+  /// Weight too: it is that of the mass that a node then has.
+  void fold(Nodes<D>& nodes, const double* /*gravity*/, double /*dt*/) const noexcept override {
     const int num_values = nodes.record().size();
     for_each_wall_line(nodes, axis_, side_,
                        [&](double* image, double* wall, double* inside, Index /*image*/) {

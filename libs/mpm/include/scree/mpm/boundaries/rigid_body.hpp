@@ -47,7 +47,7 @@ class RigidBody final : public Boundary<D> {
 
   [[nodiscard]] bool reads_elsewhere() const noexcept override { return motion_.place || motion_.angle; }
 
-  void fold(Nodes<D>& /*nodes*/) const noexcept override {}
+  void fold(Nodes<D>& /*nodes*/, const double* /*gravity*/, double /*dt*/) const noexcept override {}
 
   void hold(Nodes<D>& nodes, double dt) const noexcept override {
     const NodeRecord layout = nodes.record();
