@@ -35,7 +35,8 @@ class Pack {
   explicit Pack(const Register& lanes) noexcept : lanes_{lanes} {}
 
   [[nodiscard]] static Pack load(const double* from) noexcept {
-    return Pack{*reinterpret_cast<const Anywhere*>(from)};
+    const Register lanes = *reinterpret_cast<const Anywhere*>(from);
+    return Pack{lanes};
   }
   void store(double* to) const noexcept { *reinterpret_cast<Anywhere*>(to) = lanes_; }
 
