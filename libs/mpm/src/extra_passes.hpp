@@ -6,6 +6,7 @@
 #include <scree/mpm/point_transfer.hpp>
 
 #include <algorithm>
+#include <limits>
 
 /// What a step does beside its own passes when it is told to: stress in another order, means over cells, a
 /// filter of velocities.
@@ -37,12 +38,24 @@ void prepare(State<D, V>& state, const Stages<D, V>& stages) {
   if (stages.averaging.is_on()) state.means.prepare(state.nodes.grid(), particles.size());
 }
 
+/// Whether it is no density of a volume that is turned inside out, or of none. What is not a number shows in
+/// the place of its point.
+[[nodiscard]] inline bool has_volume(double density) noexcept {
+  return !(density <= 0 || density > std::numeric_limits<double>::max());
+}
+
 /// Density by what a step makes of a point's volume.  Eqs. (M13), (M125)
+/// @returns whether a point is left without volume.
 template <int D, int V>
-void strain_density(Particles<D, V>& particles, const ParticleBlock<D>& block, double dt) noexcept {
+[[nodiscard]] bool strain_density(Particles<D, V>& particles, const ParticleBlock<D>& block,
+                                  double dt) noexcept {
+  bool lacks_volume = false;
   for (Index p = block.begin; p < block.end; ++p) {
-    particles.density.component(0)[p] /= volume_ratio<double, D, V>(gradient_of(particles, p), dt);
+    double& density = particles.density.component(0)[p];
+    density /= volume_ratio<double, D, V>(gradient_of(particles, p), dt);
+    lacks_volume = lacks_volume || !has_volume(density);
   }
+  return lacks_volume;
 }
 
 /// Stress and density by the motion of dt: by the velocity gradient that points have, or under musl and usf
@@ -64,8 +77,9 @@ void update_stress(State<D, V>& state, const Stages<D, V>& stages, double dt, Th
   }
   state.blocks.for_each(threads, [&](Index b) {
     const ParticleBlock<D>& block = state.blocks.blocks[static_cast<std::size_t>(b)];
-    strain_density(particles, block, dt);
-    state.block_results[static_cast<std::size_t>(b)].stiffness = stages.stress->apply(particles, block, dt);
+    BlockResult& result = state.block_results[static_cast<std::size_t>(b)];
+    result.motion.lacks_volume = strain_density(particles, block, dt);
+    result.stiffness = stages.stress->apply(particles, block, dt);
   });
   if (stages.averaging.pressure) {
     state.means.average_trace(particles, particles.stress, state.blocks, grid, threads);

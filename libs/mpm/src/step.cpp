@@ -81,6 +81,22 @@ void reduce(State<D, V>& state) {
   }
 }
 
+/// @throws RunError naming a point that the step of dt has left without volume.  Eq. (M125)
+template <int D, int V>
+void require_volumes(const State<D, V>& state, double dt) {
+  const auto lacks = [](const BlockResult& result) { return result.motion.lacks_volume; };
+  if (std::ranges::none_of(state.block_results, lacks)) return;
+  const Particles<D, V>& particles = state.particles;
+  for (Index p = 0; p < particles.size(); ++p) {
+    const double density = particles.density.component(0)[p];
+    if (!(particles.mass.component(0)[p] > 0) || detail::has_volume(density)) continue;
+    std::ostringstream message;
+    message << point_text(particles, p) << " has no volume left after a step of " << dt
+            << " s: its density is " << density << " kg/m^3; a shorter step may help";
+    throw RunError{message.str()};
+  }
+}
+
 /// @throws RunError naming the law and the point that it was furthest from solving.
 template <int D, int V>
 void require_solved(const State<D, V>& state, const Stages<D, V>& stages) {
@@ -145,7 +161,10 @@ void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads thr
   detail::prepare(state, stages);
   detail::bring_means(state, stages, threads);
   if (stages.xpic.order > 0) detail::find_filtered(state, stages, dt, threads);
-  if (stages.order == Order::usf) detail::update_stress(state, stages, dt, threads);
+  if (stages.order == Order::usf) {
+    detail::update_stress(state, stages, dt, threads);
+    require_volumes(state, dt);
+  }
   detail::scatter(state, stages, dt, threads);
   require_solved(state, stages);
   detail::move_nodes(state, stages, dt, threads);
@@ -155,10 +174,10 @@ void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads thr
     detail::gather(state, stages, dt, threads);
   }
   if (stages.xpic.order > 0) detail::filter(state);
-  if (has_stress_pass && stages.order != Order::usf) {
-    detail::update_stress_last(state, stages, dt, threads);
-    require_solved(state, stages);
-  }
+  const bool is_stress_last = has_stress_pass && stages.order != Order::usf;
+  if (is_stress_last) detail::update_stress_last(state, stages, dt, threads);
+  require_volumes(state, dt);
+  if (is_stress_last) require_solved(state, stages);
   for (const auto& boundary : stages.boundaries) boundary->advance(dt);
   reduce(state);
   if (!state.needs_sort) return;

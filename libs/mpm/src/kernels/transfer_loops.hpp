@@ -5,6 +5,7 @@
 #include "transpose.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 /// Points to nodes and back, a pack of points at a time. Lanes are points for weights and for what a point
@@ -270,6 +271,8 @@ class MotionOfPacks {
                     (Pack{place.low[axis]} <= x) & (x <= Pack{place.high[axis]});
       rate = rate + abs(point.velocity[axis]) * place.inverse_spacing[axis];
     }
+    constexpr double largest = std::numeric_limits<double>::max();
+    lacks_volume_ |= (point.density <= Pack{0}) | (Pack{largest} < point.density);
     rate_ = max(rate_, rate);
   }
   [[nodiscard]] BlockMotion of_block() const noexcept {
@@ -277,12 +280,14 @@ class MotionOfPacks {
     for (int lane = 0; lane < Pack::size; ++lane) {
       motion.advection_rate = motion.advection_rate < rate_[lane] ? rate_[lane] : motion.advection_rate;
       motion.needs_sort = motion.needs_sort || is_inside_[lane] == 0;
+      motion.lacks_volume = motion.lacks_volume || lacks_volume_[lane] != 0;
     }
     return motion;
   }
 
  private:
   Pack::Mask is_inside_ = ~Pack::Mask{};
+  Pack::Mask lacks_volume_{};
   Pack rate_{0};
 };
 

@@ -106,7 +106,8 @@ void resume(State<D, V>& state, const Stages<D, V>& stages);
 /// then positions; in another order if told.  @see Eqs. (M1)-(M13), (M126)-(M132), the algorithm of
 /// docs/equations/mpm.md
 /// @throws RunError naming a point that has left the mesh (if that is to stop the run), has no finite
-/// position, or whose law was not solved; in that case no point has moved, unless stress comes last.
+/// position, no volume left, or whose law was not solved; in that last case no point has moved, unless stress
+/// comes last.
 template <int D, int V>
 void step(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads threads);
 
