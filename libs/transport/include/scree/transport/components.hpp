@@ -25,8 +25,9 @@ constexpr void for_each_component(Body&& body) noexcept {
 }
 
 /// `a` if the condition holds, else `b`. With AVX a choice between numbers would become reads and sums under
-/// masks, slow without AVX-512, so bits are chosen; with less than AVX a loop is faster if it branches.
-[[nodiscard]] constexpr double select(bool condition, double a, double b) noexcept {
+/// masks, which are slow under AVX2, so bits are chosen; with less than AVX a loop is faster if it branches.
+/// Always inlined: a program may have units with AVX and without.
+[[nodiscard, gnu::always_inline]] constexpr double select(bool condition, double a, double b) noexcept {
 #if defined(__AVX__)
   const std::uint64_t all_or_none = -static_cast<std::uint64_t>(condition);
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) & all_or_none) |
