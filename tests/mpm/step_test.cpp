@@ -290,7 +290,7 @@ TEST(Step, NamesAPointThatIsLeftWithoutVolume) {  // Eqs. (M13), (M125)
     std::ostringstream message;
     message << "material point 0 at (" << place
             << ") m has no volume left after a step of 1 s: its density is " << density
-            << " kg/m^3; a shorter step may help";
+            << " kg/m^3; a shorter step, by smaller shares of its limits, may help";
     return message.str();
   };
   for (const Order order : {Order::usl, Order::musl, Order::usf}) {
@@ -304,6 +304,28 @@ TEST(Step, NamesAPointThatIsLeftWithoutVolume) {  // Eqs. (M13), (M125)
   }
   EXPECT_EQ(message_of_a_step_in<2>({-0.75, -0.75}), "");  // dt tr L < -1, but a volume is left
   EXPECT_EQ(message_of_a_step_in<2>({-2, 0.25}), of_point_0("1.5, 0.375", "-800"));
+}
+
+/// As an outflow leaves them.
+TEST(Step, PassesOverPointsWithoutMassThatHaveNoVolume) {
+  const auto grid = cube<1>(64, 1, false);
+  auto particles = filled<1>(grid, 1);
+  auto stages = stages_of<1, 1>(particles, Linear{}, Apic{});
+  auto state = start(std::move(particles), grid, stages, one_thread);
+  double* const mass = state.particles.mass.component(0);
+  double* const density = state.particles.density.component(0);
+  for (const Index p : {0, 1, 63}) {
+    mass[p] = 0;
+    density[p] = -1000;
+  }
+
+  EXPECT_NO_THROW(step(state, stages, 1, one_thread));
+
+  density[2] = -1000;
+  EXPECT_EQ(
+      message_of<RunError>([&] { step(state, stages, 1, one_thread); }),
+      "material point 2 at (2.5) m has no volume left after a step of 1 s: its density is -1000 kg/m^3; a "
+      "shorter step, by smaller shares of its limits, may help");
 }
 
 /// A law that fails where the density is below that of water, by as much.
@@ -337,7 +359,7 @@ TEST(Step, NamesThePointWhoseLawWasNotSolved) {
   EXPECT_EQ(
       message_of<RunError>([&] { step(state, stages, 1e-3, one_thread); }),
       "the law 'unsolvable' was not solved at material point 8 at (0.25) m: its equations are left with a "
-      "relative error of 0.25; a shorter step may help");
+      "relative error of 0.25; a shorter step, by smaller shares of its limits, may help");
 }
 
 TEST(AdvanceMomentum, LeavesNodesBelowTheFloorAtRest) {  // Eq. (M20)

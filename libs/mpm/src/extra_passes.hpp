@@ -38,8 +38,8 @@ void prepare(State<D, V>& state, const Stages<D, V>& stages) {
   if (stages.averaging.is_on()) state.means.prepare(state.nodes.grid(), particles.size());
 }
 
-/// Whether it is no density of a volume that is turned inside out, or of none. What is not a number shows in
-/// the place of its point.
+/// Whether a density is that of a volume: positive and finite. No number passes too: it shows in the place of
+/// its point.
 [[nodiscard]] inline bool has_volume(double density) noexcept {
   return !(density <= 0 || density > std::numeric_limits<double>::max());
 }
