@@ -7,6 +7,7 @@
 #include "typed_lists.hpp"
 
 #include <scree/rheology/laws.hpp>
+#include <scree/rheology/tensor_functions.hpp>
 
 #include <gtest/gtest.h>
 
@@ -60,6 +61,35 @@ TYPED_TEST(EveryLawInPacks, HasTheBitsOfDoubleInEachLane) {
   expect_lanes_like_points<testing::Pack<2>, TypeParam>();
   expect_lanes_like_points<testing::Pack<4>, TypeParam>();
   expect_lanes_like_points<testing::Pack<8>, TypeParam>();
+}
+
+/// Lanes inside the reach of the series beside lanes that are not.
+TEST(TensorFunctionsInPacks, HaveTheBitsOfDoubleInEachLane) {
+  using Pack = testing::Pack<4>;
+  const auto gradients = velocity_gradients();
+  Tensor<Pack> strain;
+  for (std::size_t i = 0; i < 9; ++i) {
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const double size = lane % 2 == 0 ? 0.01 : 0.2;
+      strain.components[i][lane] = size * symmetric_part(gradients[lane]).components[i];
+    }
+  }
+  const auto b = exponential(symmetric(strain));
+
+  const auto again = half_logarithm(b).tensor();
+
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    Tensor<double> alone;
+    for (std::size_t i = 0; i < 9; ++i) alone.components[i] = strain.components[i][lane];
+    const auto b_alone = exponential(symmetric(alone));
+    const auto again_alone = half_logarithm(b_alone).tensor();
+    for (std::size_t i = 0; i < 9; ++i) {
+      const double stretch_in_pack = b.tensor().components[i][lane];
+      const double strain_in_pack = again.components[i][lane];
+      EXPECT_EQ(stretch_in_pack, b_alone.tensor().components[i]) << "lane " << lane;
+      EXPECT_EQ(strain_in_pack, again_alone.components[i]) << "lane " << lane;
+    }
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <scree/rheology/eigen_symmetric.hpp>
 #include <scree/rheology/elementary.hpp>
 #include <scree/rheology/kinematics.hpp>
+#include <scree/rheology/tensor_functions.hpp>
 
 #include <array>
 
@@ -31,6 +32,20 @@ template <class Real>
   std::array<Real, 3> stretch{};
   for (std::size_t i = 0; i < 3; ++i) stretch[i] = elementary::exp(2.0 * strain.values[i]);
   return symmetric(composed(stretch, strain.axes));
+}
+
+/// dev(ln b)/2 of a left Cauchy-Green tensor b, for a law that needs none of its axes.  Eq. (R23)
+template <class Real>
+[[nodiscard]] Symmetric<Real> hencky_strain(const Symmetric<Real>& b) noexcept {
+  const Symmetric<Real> half = half_logarithm(b);
+  const Real mean = (half.xx + half.yy + half.zz) * (1.0 / 3.0);
+  return {half.xx - mean, half.yy - mean, half.zz - mean, half.xy, half.xz, half.yz};
+}
+
+/// b = exp(2 strain).  Eq. (R23)
+template <class Real>
+[[nodiscard]] Symmetric<Real> left_cauchy_green(const Symmetric<Real>& strain) noexcept {
+  return exponential(Real(2.0) * strain);
 }
 
 }  // namespace scree::rheology

@@ -2,8 +2,8 @@
 
 #include <scree/rheology/breakage_return.hpp>
 #include <scree/rheology/concepts.hpp>
-#include <scree/rheology/eigen_symmetric.hpp>
 #include <scree/rheology/elementary.hpp>
+#include <scree/rheology/hencky.hpp>
 #include <scree/rheology/kinematics.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
@@ -89,29 +89,20 @@ struct Breakage {
     const Real compression = deformation.density * (1 / density);  // 1/J
     const Real total = elementary::log(compression);
     const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
-    const EigenSystem<Real> system = eigen_symmetric(carried_by(f, old.stretch().tensor()));
-    std::array<Real, 3> strain{};  // Hencky, its deviator
-    for (std::size_t i = 0; i < 3; ++i) strain[i] = 0.5 * elementary::log(system.values[i]);
-    const Real mean = (strain[0] + strain[1] + strain[2]) * (1.0 / 3.0);
-    for (Real& e : strain) e = e - mean;
-    const Real size =
-        sqrt((2.0 / 3) * (strain[0] * strain[0] + strain[1] * strain[1] + strain[2] * strain[2]));
+    const Symmetric<Real> strain = hencky_strain(symmetric(carried_by(f, old.stretch().tensor())));
+    const Real size = sqrt((2.0 / 3) * squared_norm(strain));
     const BreakageState<Real> trial{(total - old.compaction) * (1 / strain_unit), size * (1 / shape_unit),
                                     old.breakage};
     const BreakageState<Real> end = returned(trial);
     const Real is_connected = select(trial.volume <= 0.0, Real(0.0), Real(1.0));
     const Real kept = is_connected * select(trial.shape == 0.0, Real(1.0), end.shape / trial.shape);
     const Real softened = is_connected * compression * (1.0 - grading * end.breakage);
-    std::array<Real, 3> stress{};
-    std::array<Real, 3> stretch{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Real elastic = kept * strain[i];
-      stress[i] = softened * (2 * shear_modulus * elastic - (bulk_modulus * strain_unit) * end.volume);
-      stretch[i] = elementary::exp(2.0 * elastic);
-    }
+    const Symmetric<Real> elastic = kept * strain;
+    const Symmetric<Real> shear = (softened * (2 * shear_modulus)) * elastic;
+    const Real p = softened * (bulk_modulus * strain_unit) * end.volume;
     const Real compaction = old.compaction + (trial.volume - end.volume) * strain_unit;
-    const Symmetric<Real> b = symmetric(composed(stretch, system.vectors));
-    return {composed(stress, system.vectors),
+    const Symmetric<Real> b = left_cauchy_green(elastic);
+    return {shear.tensor() - isotropic(p),
             {b.xx, b.yy, b.zz, b.xy, b.xz, b.yz, compaction, end.breakage},
             end.unsolved};
   }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <scree/rheology/concepts.hpp>
-#include <scree/rheology/eigen_symmetric.hpp>
 #include <scree/rheology/elementary.hpp>
+#include <scree/rheology/hencky.hpp>
 #include <scree/rheology/kinematics.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
@@ -66,23 +66,13 @@ struct DruckerPrager {
     const Real p = bulk_modulus * elementary::log(compression);    // J times that of Cauchy
     const Real is_connected = select(p < 0.0, Real(0.0), Real(1.0));
     const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
-    const EigenSystem<Real> trial = eigen_symmetric(carried_by(f, old.tensor()));
-    std::array<Real, 3> strain{};  // Hencky, its deviator
-    for (std::size_t i = 0; i < 3; ++i) strain[i] = 0.5 * elementary::log(trial.values[i]);
-    const Real mean = (strain[0] + strain[1] + strain[2]) * (1.0 / 3.0);
-    for (Real& e : strain) e = e - mean;
-    const Real tau_trial =
-        shear_modulus * sqrt(2.0 * (strain[0] * strain[0] + strain[1] * strain[1] + strain[2] * strain[2]));
+    const Symmetric<Real> trial = hencky_strain(symmetric(carried_by(f, old.tensor())));
+    const Real tau_trial = shear_modulus * sqrt(2.0 * squared_norm(trial));
     const Real strength = friction * contact_pressure(p);
     const Real kept = is_connected * select(tau_trial <= strength, Real(1.0), strength / tau_trial);
-    std::array<Real, 3> stress{};
-    std::array<Real, 3> stretch{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      strain[i] = kept * strain[i];
-      stress[i] = compression * (2.0 * shear_modulus * strain[i] - is_connected * p);
-      stretch[i] = elementary::exp(2.0 * strain[i]);
-    }
-    return {composed(stress, trial.vectors), symmetric(composed(stretch, trial.vectors))};
+    const Symmetric<Real> strain = kept * trial;
+    const Symmetric<Real> shear = (2.0 * shear_modulus * compression) * strain;
+    return {shear.tensor() - isotropic<Real>(is_connected * compression * p), left_cauchy_green(strain)};
   }
 
   /// Speed of pressure waves [m/s] of the unloaded material, and no viscosity.  Eq. (R21)

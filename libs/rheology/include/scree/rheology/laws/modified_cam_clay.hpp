@@ -2,7 +2,6 @@
 
 #include <scree/rheology/cam_clay_return.hpp>
 #include <scree/rheology/concepts.hpp>
-#include <scree/rheology/eigen_symmetric.hpp>
 #include <scree/rheology/elementary.hpp>
 #include <scree/rheology/hencky.hpp>
 #include <scree/rheology/kinematics.hpp>
@@ -88,10 +87,9 @@ struct ModifiedCamClay {
     const Real compression = deformation.density * (1 / density);  // 1/J
     const Symmetric<Real> b{old.xx, old.yy, old.zz, old.xy, old.xz, old.yz};
     const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
-    HenckyStrain<Real> strain = hencky_strain(eigen_symmetric(carried_by(f, b.tensor())));
-    const auto& e = strain.values;
+    const Symmetric<Real> trial = hencky_strain(symmetric(carried_by(f, b.tensor())));
     const Real G = shear_modulus * compression;
-    const Real q_trial = G * sqrt(6.0 * (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]));
+    const Real q_trial = G * sqrt(6.0 * squared_norm(trial));
     const Real p_c = preconsolidation_pressure * old.preconsolidation;
     const Real u_trial = overconsolidation(compression, old.preconsolidation);
     const Real p_trial = p_c * elementary::exp(-u_trial);
@@ -106,13 +104,9 @@ struct ModifiedCamClay {
     const Real kept = is_connected * select(yields, share, Real(1.0));
     const Real hardening = elementary::exp((kappa / lambda) * (flowing.u - u_trial));
     const Real preconsolidation = old.preconsolidation * select(yields, hardening, Real(1.0));
-    std::array<Real, 3> stress{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      strain.values[i] = kept * strain.values[i];
-      stress[i] = 2.0 * G * strain.values[i] - p;
-    }
+    const Symmetric<Real> strain = kept * trial;
     const Symmetric<Real> s = left_cauchy_green(strain);
-    return {composed(stress, strain.axes),
+    return {((2.0 * G) * strain).tensor() - isotropic(p),
             {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, preconsolidation},
             select(yields, flowing.unsolved, Real(0.0))};
   }
