@@ -97,11 +97,16 @@ class RunOnDisk {
     return io::FrameWriter::resume(options_.directory, simulation_.clock.step);
   }
 
-  /// What is there is kept, stable or not.
+  /// What is there is kept, stable or not, to go on from. In no step after the end can waves grow.
   void store_frame() {
     write_frame(simulation_, frames_);
+    try {
+      if (!simulation_.is_finished()) simulation_.require_stable();
+    } catch (const RunError&) {
+      checkpoint();
+      throw;
+    }
     if (simulation_.clock.time >= next_checkpoint_) checkpoint();
-    simulation_.require_stable();
   }
 
   /// Of what the last step has found.

@@ -153,9 +153,8 @@ std::string blocked_warning(const Scene& scene, std::size_t number, const mpm::P
   const Vector<D> middle = (cells.low + cells.high) / 2;
   return fmt::format(
       "[[inflow]] {}: at t = {:.4g} s the material before its box, at ({:.4g}) m, is {:.0f} % denser than "
-      "the "
-      "stream: it is blocked, and all that enters is squeezed into the room that there is: let it out, by an "
-      "[[outflow]] or an end that is open, or stop the stream before",
+      "the stream: it is blocked, and all that enters is squeezed into the room that there is: let it out, "
+      "by an [[outflow]] or an end that is open, or stop the stream before",
       number + 1, time, fmt::join(middle.begin(), middle.end(), ", "), 100 * compression);
 }
 

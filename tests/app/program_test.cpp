@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <regex>
 #include <sstream>
 #include <thread>
 
@@ -235,8 +236,17 @@ TEST(Program, RestartWhoseRatesAreNoNumbersEndsWithCode3AndItsSummary) {
 /// functions. At rest sound alone bounds its step. Under 30 degrees the shear stress, 4905 Pa/m times the
 /// depth, leads to a viscosity of two thirds of the largest in the mean, and at the viscous limit to a sum of
 /// 8/9 or more, of 0.59 that hold. Before that the waves that grow have thickened it so that steps collapse.
-TEST(Program, RunThatBecomesUnstableEndsWithCode3AndAllItHad) {
-  const fs::path directory = fresh("unstable");
+struct UnstableRun {
+  std::string scene;    ///< its file
+  std::string command;  ///< that runs it
+  fs::path checkpoint;
+  Result result;
+  io::FrameReader frames;
+  double time;  ///< of its end [s]
+};
+
+[[nodiscard]] UnstableRun unstable_run(const std::string& name) {
+  const fs::path directory = fresh(name);
   const std::string file = directory.string() + ".toml";
   fs::create_directories(directory);
   std::ofstream{file} << R"([mesh]
@@ -269,18 +279,56 @@ end = 10
 [output]
 every = 0.01
 )";
-
-  const Result result = scree("run " + file + " --quiet --output " + directory.string());
-
-  EXPECT_EQ(result.exit_code, 3);
-  EXPECT_EQ(result.output.rfind("scree: the run failed at step ", 0), 0U) << result.output;
-  EXPECT_NE(result.output.find(" s: the run has become unstable: [numerics] "), std::string::npos)
-      << result.output;
+  const std::string command = "run " + file + " --quiet --output " + directory.string();
+  const Result result = scree(command);
   const auto summary = nlohmann::json::parse(text_of(directory / "summary.json"));
-  const io::FrameReader reader{directory};
-  EXPECT_EQ(reader.frames().back().time, summary["time"]);
-  EXPECT_EQ(reader.read(reader.frames().back(), "mass").size(), 18U);
-  EXPECT_TRUE(fs::exists(directory / "checkpoint.h5"));
+  return {file, command, directory / "checkpoint.h5", result, io::FrameReader{directory}, summary["time"]};
+}
+
+/// The share that a run was stopped for, set to the largest that the message allows.
+[[nodiscard]] std::string named_share(const std::string& message) {
+  std::smatch parts;
+  const std::regex named{R"(\[numerics\] (\w+) = .*: give at most ([0-9.e-]+);)"};
+  if (!std::regex_search(message, parts, named)) return "";
+  return "numerics." + parts[1].str() + "=" + parts[2].str();
+}
+
+TEST(Program, RunThatBecomesUnstableEndsWithCode3AndAllItHad) {
+  const UnstableRun run = unstable_run("unstable");
+
+  EXPECT_EQ(run.result.exit_code, 3);
+  EXPECT_EQ(run.result.output.rfind("scree: the run failed at step ", 0), 0U) << run.result.output;
+  EXPECT_NE(run.result.output.find(" s: the run has become unstable: [numerics] "), std::string::npos)
+      << run.result.output;
+  EXPECT_EQ(run.frames.frames().back().time, run.time);
+  EXPECT_EQ(run.frames.read(run.frames.frames().back(), "mass").size(), 18U);
+}
+
+/// Though no checkpoint was due.
+TEST(Program, UnstableRunGoesOnFromWhereItWasStoppedWithTheShareThatItNames) {
+  const UnstableRun run = unstable_run("unstable_restart");
+  const std::string share = named_share(run.result.output);
+  const std::string end = std::to_string(run.time + 0.01);
+  const std::string restart =
+      run.command + " --restart " + run.checkpoint.string() + " --set time.end=" + end;
+
+  Simulation<1, 2> stored{read_scene(run.scene, {share}).scene, {1}};
+  read_checkpoint_into(stored, run.checkpoint);
+  const Result with_old_share = scree(restart);
+  const Result with_new_share = scree(restart + " --set " + share);
+
+  EXPECT_EQ(stored.clock.time, run.time);
+  EXPECT_EQ(with_old_share.exit_code, 2) << with_old_share.output;
+  EXPECT_EQ(with_new_share.exit_code, 0) << with_new_share.output;
+  EXPECT_EQ(io::FrameReader{run.checkpoint.parent_path()}.frames().size(), run.frames.frames().size() + 1);
+}
+
+TEST(Program, RunWhoseEndIsReachedBeforeWavesGrowIsFinished) {
+  const UnstableRun run = unstable_run("unstable_after_end");
+
+  const Result result = scree(run.command + " --set time.end=" + std::to_string(run.time));
+
+  EXPECT_EQ(result.exit_code, 0) << result.output;
 }
 
 /// A stream of 2 x 2 points a cell, 0.1 m long when it begins, that crosses a mesh of 1 m at 1 m/s, without
