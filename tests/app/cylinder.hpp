@@ -34,7 +34,7 @@ class Heap {
                   fmt::format("rheology.shear_modulus={}", 30 * weight),
                   fmt::format("time.end={}", 4 * std::sqrt(2 * height / 9.81))}),
         {1}};
-    while (!simulation.is_finished()) simulation.step();
+    advance_to_end(simulation);
     const auto& particles = simulation.state.particles;
     for (Index p = 0; p < particles.size(); ++p) {
       const double mass = particles.mass.component(0)[p];

@@ -22,7 +22,7 @@ constexpr double gravity = 9.81;  // [m/s^2]
   std::vector<std::string> keys{"numerics.shape=\"" + shape + "\"", "time.end=0.6"};
   if (shape == "gimp") keys.emplace_back("numerics.points_per_axis=3");
   Simulation<2, 2> chute{scene_of("fed_chute", keys), {1}};
-  while (!chute.is_finished()) chute.step();
+  advance_to_end(chute);
   return chute;
 }
 

@@ -33,7 +33,7 @@ namespace {
 TEST(GranularSlope, MakesBagnoldsProfile) {
   Simulation<1, 2> column{scene_of("granular_slope_column"), {1}};
 
-  while (!column.is_finished()) column.step();
+  advance_to_end(column);
 
   const double compression = 1500 * 9.81 * std::cos(24 * std::numbers::pi / 180) * 0.1 / 2e6;  // [-]
   EXPECT_LE(bagnold_error(column),
@@ -45,7 +45,7 @@ TEST(GranularSlope, MakesBagnoldsProfile) {
 TEST(GranularSlope, IsIllPosedAtMostInTheTopmostCell) {  // Eq. (R15)
   Simulation<1, 2> column{scene_of("granular_slope_column"), {1}};
 
-  while (!column.is_finished()) column.step();
+  advance_to_end(column);
 
   const auto share = column.ill_posed_share();
   ASSERT_TRUE(share.has_value());
@@ -56,7 +56,7 @@ TEST(GranularSlope, IsIllPosedAtMostInTheTopmostCell) {  // Eq. (R15)
 TEST(GranularSlope, HasNoViscousLimit) {
   Simulation<1, 2> column{scene_of("granular_slope_column", {"time.end=0.1"}), {1}};
 
-  while (!column.is_finished()) column.step();
+  advance_to_end(column);
 
   EXPECT_EQ(column.tally.steps_by_limit[static_cast<std::size_t>(mpm::Limit::viscous)], 0);
 }

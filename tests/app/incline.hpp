@@ -84,7 +84,7 @@ template <int D>
   const double surface_speed = profiles.rbegin()->second.velocity.back();
   InclineErrors errors;
   for (const auto& [time, expected] : profiles) {
-    while (simulation.clock.time < time) simulation.step();
+    advance_to(time, simulation);
     const Profile profile = profile_of(simulation, expected.size.size());
     double difference = 0;
     for (std::size_t i = 0; i < expected.size.size(); ++i) {

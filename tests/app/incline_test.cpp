@@ -32,7 +32,7 @@ TEST_P(InclinedPlane, ColumnAgreesWithTheReferenceAtEveryTime) {
 TEST_P(InclinedPlane, KeepsEveryClassAndEveryBoundOver1e5Steps) {
   Simulation<1, 2> column{scene_of(column_scene(GetParam().variant)), {1}};
 
-  while (!column.is_finished()) column.step();
+  advance_to_end(column);
 
   EXPECT_GE(column.clock.step, 100000);
   EXPECT_LE(class_mass_drift(column), 1e-12);
@@ -67,9 +67,7 @@ TEST(InclinedPlanePaperMap, BreaksTheBoundsThatTheExchangeMapKeeps) {
   Simulation<1, 2> exchange{scene_of("inclined_plane_column", nodes), {1}};
   Simulation<1, 2> increments{scene_of("inclined_plane_column", with_paper_map), {1}};
 
-  for (auto* simulation : {&exchange, &increments}) {
-    while (!simulation->is_finished()) simulation->step();
-  }
+  for (auto* simulation : {&exchange, &increments}) advance_to_end(*simulation);
 
   EXPECT_LE(class_mass_drift(increments), 1e-12);
   EXPECT_LT(increments.tally.fractions.lowest, -1e-3);

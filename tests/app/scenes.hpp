@@ -17,6 +17,20 @@ namespace scree::app::testing {
   return text.replace(text.find(part), part.size(), instead);
 }
 
+/// Takes a simulation to a time [s]. At none of its frames until then may waves grow in the next step.
+template <class Run>
+void advance_to(double time, Run& run) {
+  while (run.clock.time < time) {
+    if (run.step()) run.require_stable();
+  }
+}
+
+/// Takes it to its end.
+template <class Run>
+void advance_to_end(Run& run) {
+  advance_to(run.scene().end, run);
+}
+
 /// Tables of a material so viscous that it moves as a block, and of the time that it has.
 [[nodiscard]] inline std::string viscous_block() {
   return R"([rheology]

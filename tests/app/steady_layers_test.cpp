@@ -1,5 +1,6 @@
 // Layers down a slope under laws of the list, against their steady profiles in closed form.
 
+#include <scree/mpm/critical_step.hpp>
 #include <scree/mpm/geostatic.hpp>
 #include <scree/mpm/seed.hpp>
 #include <scree/mpm/step.hpp>
@@ -59,8 +60,11 @@ double error_after(const Layer& layer, const Law& law, const Profile& begin, con
         (begin(y + spacing / 8) - begin(y - spacing / 8)) / (spacing / 4);
   }
   auto state = mpm::start(std::move(particles), grid, stages, {1});
+  const Vector<1> sums =
+      mpm::critical_sums(state.particles, grid, mpm::Linear{}, mpm::Apic{}, mpm::Order::usl);
   for (double time = 0; time < layer.duration;) {
     const double dt = mpm::stable_time_step(grid, state.rates, {}).dt;
+    mpm::require_stable(state, stages, sums, dt);
     mpm::step(state, stages, dt, {1});
     time += dt;
   }
