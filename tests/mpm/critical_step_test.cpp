@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -151,95 +152,196 @@ TEST(CriticalSum, IsNotExceededByPointsAtRandom) {  // Eq. (M174)
   }
 }
 
-/// A fluid with a modulus for each point.
+/// A fluid whose modulus and viscosity are at each point as many times those of the law.
 struct Patchwork {
   static constexpr std::string_view name = "patchwork";
   template <class Real>
   struct Input {
-    Real modulus;  // [Pa]
+    Real share;  // [-]
   };
-  static constexpr std::array<InputColumn, 1> inputs{{{"modulus", "Pa", 1}}};
+  static constexpr std::array<InputColumn, 1> inputs{{{"share", "-", 1}}};
   template <class Real>
   struct State {};
   static constexpr std::array<StateColumn, 0> states{};
 
+  Fluid fluid;
+
   template <class Real>
   [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
                                                    const Input<Real>& input, const State<Real>& /*old*/,
-                                                   Real /*dt*/) const noexcept {
-    return {isotropic(-input.modulus * (deformation.density / 1000 - 1)), {}};
+                                                   Real dt) const noexcept {
+    return {input.share * fluid.update(deformation, Fluid::Input<Real>{}, Fluid::State<Real>{}, dt).stress,
+            {}};
   }
   [[nodiscard]] Stiffness<double> stiffness(const Deformation<double>& /*deformation*/,
                                             const Input<double>& input,
                                             const State<double>& /*state*/) const noexcept {
-    return {std::sqrt(input.modulus / 1000), 0};
+    return {std::sqrt(input.share * fluid.bulk_modulus / fluid.reference_density),
+            input.share * fluid.viscosity};
   }
 };
 static_assert(ConstitutiveLaw<Patchwork>);
 
-/// A bar of two points a cell, some of which have a hundredth of the others' modulus, and what its rates say.
-struct PatchyBar {
-  /// @param is_stiff of a point  @param sum (M173) of the mean, over the critical one  @param dt of steps [s]
-  PatchyBar(const std::function<bool(Index)>& is_stiff, double sum, double dt)
-      : particles{points_of({.shape = Quadratic{}, .transfer = Apic{}, .per_cell = 2})},
-        sums{critical_sums(particles, cube<1>(num_cells, spacing, true), Quadratic{}, Apic{}, Order::usl)} {
-    const double speed = std::sqrt(sum * sums[0]) * spacing / dt;
-    const std::size_t column = particles.add_column({"modulus", "K", "Pa"}, 1);
-    double* const modulus = particles.column(column).component(0);
-    for (Index p = 0; p < particles.size(); ++p) {
-      modulus[p] = 1000 * speed * speed / 0.505 * (is_stiff(p) ? 1 : 0.01);  // half of the points are
-    }
-    stages.stress = std::make_unique<StressUpdateBy<1, 1, Patchwork>>(Patchwork{}, particles);
-    stages.transfer = make_transfer<1, 1>(Quadratic{}, Apic{});
+/// A bar whose sum (M173) differs from point to point.
+class PatchyBar {
+ public:
+  PatchyBar(const Bar& bar, Particles<1, 1> particles, const std::function<double(Index)>& share)
+      : bar_{bar}, particles_{std::move(particles)} {
+    const std::size_t column = particles_.add_column({"share", "s", "-"}, 1);
+    double* const shares = particles_.column(column).component(0);
+    for (Index p = 0; p < particles_.size(); ++p) shares[p] = share(p);
   }
-  [[nodiscard]] double critical() const {
-    return critical_step(sums, cube<1>(num_cells, spacing, true), mean_rates(particles, *stages.stress));
+  /// The sum of points of share 1 from which on waves grow, by (M199): the step at which it is 1 is one of
+  /// `dt` times r, and the parts of sound and viscosity have r^2 and r of it.
+  [[nodiscard]] double unstable_sum() const {
+    Particles<1, 1> points = particles_;
+    const Stages<1, 1> stages = stages_with(points, 1);
+    const double r = unstable_step(points, *stages.stress, cube<1>(num_cells, spacing, true), bar_.shape,
+                                   bar_.transfer, bar_.order) /
+                     dt;
+    return (1 - bar_.viscous) * r * r + bar_.viscous * r;
+  }
+  /// That by the largest share, which is to be 1.
+  [[nodiscard]] double critical_sum() const {
+    return critical_sums(particles_, cube<1>(num_cells, spacing, true), bar_.shape, bar_.transfer,
+                         bar_.order)[0];
+  }
+  /// @param sum of points of share 1
+  [[nodiscard]] double grown(double sum, int num_steps) const {
+    Particles<1, 1> points = particles_;
+    const Stages<1, 1> stages = stages_with(points, sum);
+    return growth(std::move(points), stages, dt, num_steps);
   }
 
-  Particles<1, 1> particles;
-  Vector<1> sums;
-  Stages<1, 1> stages;
+ private:
+  static constexpr double dt = 0.01;  // [s]
+
+  [[nodiscard]] Stages<1, 1> stages_with(Particles<1, 1>& points, double sum) const {
+    Stages<1, 1> stages;
+    stages.stress =
+        std::make_unique<StressUpdateBy<1, 1, Patchwork>>(Patchwork{fluid_of(sum, bar_.viscous, dt)}, points);
+    stages.transfer = make_transfer<1, 1>(bar_.shape, bar_.transfer);
+    stages.order = bar_.order;
+    return stages;
+  }
+
+  Bar bar_;
+  Particles<1, 1> particles_;
 };
 
-/// By every other point the waves on all the nodes are those of the mean: its critical sum is theirs. Where
-/// one half of the bar is stiff its own waves grow sooner, but by then they do.
-TEST(MeanRates, AreThoseBeyondWhichWavesGrowHoweverTheyAreSpread) {  // Eq. (M199)
-  constexpr int num_steps = 200;
-  constexpr double dt = 0.01;
-  const auto every_other = [](Index p) { return p % 2 == 0; };
-  const auto one_half = [](Index p) { return p < num_cells; };
-  for (const double sum : {0.97, 1.03}) {
-    EXPECT_NEAR(PatchyBar(every_other, sum, dt).critical(), dt / std::sqrt(sum), 100 * round_off);
-    EXPECT_NEAR(PatchyBar(one_half, sum, dt).critical(), dt / std::sqrt(sum), 100 * round_off);
+/// Two points in each cell, at 0.02 and 0.5 of it.
+[[nodiscard]] Particles<1, 1> uneven_points() {
+  auto particles = points_of({.shape = Quadratic{}, .transfer = Apic{}, .per_cell = 2});
+  double* const x = particles.position.component(0);
+  for (Index p = 0; p < particles.size(); ++p) {
+    const Index cell = p / 2;
+    x[p] = (static_cast<double>(cell) + (p % 2 == 0 ? 0.02 : 0.5)) * spacing;
   }
-
-  const auto grown = [&](const std::function<bool(Index)>& is_stiff, double sum) {
-    PatchyBar bar{is_stiff, sum, dt};
-    return growth(std::move(bar.particles), bar.stages, dt, num_steps);
-  };
-
-  EXPECT_LE(grown(every_other, 0.97), 2);
-  EXPECT_GE(grown(every_other, 1.03), std::pow(1.03, num_steps) / 10);
-  EXPECT_GE(grown(one_half, 1.03), std::pow(1.03, num_steps) / 10);
+  return particles;
 }
 
-/// Of the speed of sound the squares, by mass: 3/4 of the mass at 2 m/s, the rest at 1 m/s. What has none
-/// only fills blocks.
-TEST(MeanRates, AreByMass) {
-  Particles<1, 1> particles;
-  particles.resize(3);
-  const std::size_t column = particles.add_column({"modulus", "K", "Pa"}, 1);
-  const std::vector<double> masses{1, 3, 0};
-  const std::vector<double> moduli{1000, 4000, 1e9};
-  std::ranges::copy(masses, particles.mass.component(0));
-  std::ranges::copy(moduli, particles.column(column).component(0));
-  std::ranges::fill(particles.density.values(), 1000);
-  const StressUpdateBy<1, 1, Patchwork> stress{Patchwork{}, particles};
+/// From 1, that of the first point, down to a hundredth, in no order.
+[[nodiscard]] double any_share(Index p) {
+  const double turns = static_cast<double>(p) / std::numbers::phi;
+  return std::pow(0.01, turns - std::floor(turns));
+}
 
-  const Rates mean = mean_rates(particles, stress);
+/// The first of each cell of two has 19 times what the second has; the mean is 1/1.9.
+[[nodiscard]] double uneven_share(Index p) {
+  return p % 2 == 0 ? 1 : 1.0 / 19;
+}
 
-  EXPECT_NEAR(mean.wave_speed, std::sqrt(3.25), 10 * round_off);
-  EXPECT_EQ(mean.kinematic_viscosity, 0);
+/// Where all cells are alike each wave is its own, and (M199) is where it grows.
+TEST(UnstableStep, IsWhereWavesBeginToGrowInCellsThatAreAlike) {  // Eq. (M199)
+  constexpr int num_steps = 200;
+  for (const Bar& bar : every_bar()) {
+    if (bar.per_cell != 2) continue;
+    const PatchyBar patchy{bar, uneven_points(), uneven_share};
+    const double sum = patchy.unstable_sum();
+    EXPECT_LE(patchy.grown(0.97 * sum, num_steps), 2) << name_of(bar);
+    EXPECT_GE(patchy.grown(1.03 * sum, num_steps), std::pow(1.03, num_steps) / 10) << name_of(bar);
+  }
+}
+
+/// The stiff point of a cell is beside a node, where quadratic shapes see little of the shortest wave: the
+/// mean of the sum may be more than twice what points of equal rates bear, and at 1.5 times none grows.
+TEST(UnstableStep, IsNotThatOfMeanRates) {  // Eq. (M199)
+  constexpr double of_mean = 1.9;           // a sum of share 1 over the mean
+  for (const AnyTransfer& transfer : {AnyTransfer{Apic{}}, AnyTransfer{PicFlip{1}}}) {
+    const Bar bar{.shape = Quadratic{}, .transfer = transfer, .per_cell = 2};
+    const PatchyBar patchy{bar, uneven_points(), uneven_share};
+    const double of_equal = of_mean * patchy.critical_sum();
+
+    EXPECT_GT(patchy.unstable_sum(), 2 * of_equal) << name_of(bar);
+    EXPECT_LE(patchy.grown(1.5 * of_equal, 200), 2) << name_of(bar);
+  }
+}
+
+/// However rates differ from point to point, waves grow beyond (M199), and none does by the largest rates.
+TEST(UnstableStep, IsOneBeyondWhichWavesGrowHoweverRatesAreSpread) {  // Eq. (M199)
+  constexpr int num_steps = 200;
+  const auto one_half = [](Index p) { return p < num_cells ? 1 : 0.01; };
+  for (const Bar& bar : every_bar()) {
+    if (bar.per_cell != 2) continue;
+    for (const auto& share :
+         {std::function<double(Index)>{one_half}, std::function<double(Index)>{any_share}}) {
+      const PatchyBar patchy{bar, points_of(bar), share};
+      EXPECT_GE(patchy.grown(1.03 * patchy.unstable_sum(), num_steps), std::pow(1.03, num_steps) / 10)
+          << name_of(bar);
+      EXPECT_LE(patchy.grown(0.97 * patchy.critical_sum(), num_steps), 2) << name_of(bar);
+    }
+  }
+}
+
+/// Under `apic` and `usl` it is derived for any places and masses of points; under FLIP it is found.
+TEST(UnstableStep, IsOneBeyondWhichWavesGrowWhereverPointsAre) {  // Eq. (M199)
+  constexpr int num_steps = 200;
+  for (const AnyShape& shape : every<AnyShape>()) {
+    for (const AnyTransfer& transfer : {AnyTransfer{Apic{}}, AnyTransfer{PicFlip{1}}}) {
+      const Bar bar{.shape = shape, .transfer = transfer};
+      const PatchyBar patchy{bar, scattered<1>(cube<1>(num_cells, spacing, true), 2 * num_cells, 0),
+                             any_share};
+      EXPECT_GE(patchy.grown(1.03 * patchy.unstable_sum(), num_steps), std::pow(1.03, num_steps) / 10)
+          << name_of(bar);
+    }
+  }
+}
+
+TEST(UnstableStep, IsTheCriticalOneOfEqualRates) {
+  for (const Bar& bar : every_bar()) {
+    const PatchyBar patchy{bar, points_of(bar), [](Index) { return 1.0; }};
+    EXPECT_NEAR(patchy.unstable_sum() / patchy.critical_sum(), 1, 100 * round_off) << name_of(bar);
+  }
+}
+
+/// In the middle of hat functions all points see as much of a wave: of the speed of sound counts the mean
+/// square, by mass, with 3/4 of the mass at 2 m/s and the rest at 1 m/s. What has no mass only fills blocks.
+TEST(UnstableStep, IsByMass) {
+  auto particles = points_of({.shape = Linear{}, .transfer = Apic{}});
+  const std::size_t column = particles.add_column({"share", "s", "-"}, 1);
+  for (Index p = 0; p < particles.size(); ++p) {
+    const Index kind = p % 4;
+    particles.mass.component(0)[p] = kind == 0 ? 1 : kind == 2 ? 3 : 0;
+    particles.column(column).component(0)[p] = kind == 0 ? 1 : kind == 2 ? 4 : 1e9;
+  }
+  const StressUpdateBy<1, 1, Patchwork> stress{Patchwork{{1000, 1000, 0}}, particles};
+
+  const double dt =
+      unstable_step(particles, stress, cube<1>(num_cells, spacing, true), Linear{}, Apic{}, Order::usl);
+
+  EXPECT_NEAR(dt, spacing / std::sqrt(3.25), 100 * round_off * spacing);
+}
+
+TEST(UnstableStep, IsNoneWhereNothingMakesAWave) {
+  const auto grid = cube<1>(num_cells, spacing, true);
+  const auto step_of = [&](Particles<1, 1> particles, const Fluid& law) {
+    const StressUpdateBy<1, 1, Fluid> stress{law, particles};
+    return unstable_step(particles, stress, grid, Linear{}, PicFlip{1}, Order::usf);
+  };
+  const auto points = points_of({.shape = Linear{}, .transfer = Apic{}});
+
+  EXPECT_TRUE(std::isinf(step_of(points, dust)));
+  EXPECT_TRUE(std::isinf(step_of(Particles<1, 1>{}, {1000, 1000, 1})));
 }
 
 TEST(CriticalSum, IsThatOfFiniteDifferencesForPointsInTheMiddleOfCells) {

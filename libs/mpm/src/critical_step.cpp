@@ -35,26 +35,52 @@ struct Passing {
       transfer);
 }
 
+/// The terms of the sum (M173): that of sound over dt^2 [1/s^2], that of viscosity over dt [1/s].
+struct WaveRates {
+  double sound = 0;
+  double viscosity = 0;
+};
+
+[[nodiscard]] WaveRates wave_rates(double wave_speed, double kinematic_viscosity, double spacing) noexcept {
+  const double sound = wave_speed / spacing;
+  return {sound * sound, 8.0 / 3 * kinematic_viscosity / (spacing * spacing)};
+}
+
+/// The step with which terms of these rates make the sum [s].
+[[nodiscard]] double step_of(double sum, const WaveRates& rates) noexcept {
+  const double viscosity = rates.viscosity / sum;
+  return 2 / (viscosity + std::sqrt(viscosity * viscosity + 4 * rates.sound / sum));
+}
+
+/// The shorter one, and no number if one of them is none.
+[[nodiscard]] double shorter_step(double one, double other) noexcept {
+  return one < other || std::isnan(one) ? one : other;
+}
+
 /// Points that lie alike in their stencils, to a thousandth of a spacing.
 struct SharedPlace {
-  double xi = 0;     ///< their mean place [spacings]
-  double count = 0;  ///< how many they are
+  double xi = 0;    ///< their mean place, by mass [spacings]
+  double mass = 0;  ///< of all [kg]
+  WaveRates rates;  ///< their mean, by mass
 };
 
 /// Where points lie, so that each wave takes a look at some thousand places at most. Means over points that
 /// lie alike to the bit are theirs; others' are off by the square of the width, not more.
 class SharedPlaces {
  public:
-  void add(double xi) {
+  void add(double xi, double mass, const WaveRates& rates) {
     const auto bin = static_cast<std::size_t>(std::max(xi, 0.0) * per_spacing);
     SharedPlace& place = places_[std::min(bin, places_.size() - 1)];
-    ++place.count;
-    place.xi += (xi - place.xi) / place.count;
+    place.mass += mass;
+    const double part = mass / place.mass;
+    place.xi += (xi - place.xi) * part;
+    place.rates.sound += (rates.sound - place.rates.sound) * part;
+    place.rates.viscosity += (rates.viscosity - place.rates.viscosity) * part;
   }
   [[nodiscard]] std::vector<SharedPlace> in_use() const {
     std::vector<SharedPlace> used;
     std::ranges::copy_if(places_, std::back_inserter(used),
-                         [](const SharedPlace& one) { return one.count > 0; });
+                         [](const SharedPlace& one) { return one.mass > 0; });
     return used;
   }
 
@@ -64,11 +90,12 @@ class SharedPlaces {
   std::vector<SharedPlace> places_ = std::vector<SharedPlace>(longest * per_spacing);
 };
 
-/// Of a wave on the nodes: means over points of what they see of it.  Eq. (M174)
+/// Of a wave on the nodes: means over points, by mass, of what they see of it.  Eqs. (M174), (M199)
 struct Seen {
   double velocity = 0;   ///< |sum_i w_ip e_i|^2
   double gradient = 0;   ///< |sum_i b_ip e_i|^2, the gradient times the spacing
   double passed_on = 0;  ///< of it by points that pass their gradient on
+  WaveRates stiffness;   ///< the gradient's squares times the rates
 };
 
 template <class S>
@@ -81,8 +108,8 @@ template <class S>
     wave[i] = {std::cos(phase), std::sin(phase)};
   }
   Seen sum;
-  double number = 0;
-  for (const auto& [xi, count] : places) {
+  double total = 0;
+  for (const auto& [xi, mass, rates] : places) {
     const auto weights = shape.weights(xi);
     const auto gradients = passing.has_affine_gradient ? shape.affine(xi) : shape.gradients(xi);
     Vector<2> velocity = Vector<2>::Zero();
@@ -93,52 +120,66 @@ template <class S>
       gradient += gradients[i] * wave[i];
       lever += weights[i] * (static_cast<double>(i) - xi) * wave[i];
     }
-    number += count;
-    sum.velocity += count * velocity.squaredNorm();
-    sum.gradient += count * gradient.squaredNorm();
-    if (passing.has_affine) sum.passed_on += count * lever.dot(gradient);
+    const double strain = mass * gradient.squaredNorm();
+    total += mass;
+    sum.velocity += mass * velocity.squaredNorm();
+    sum.gradient += strain;
+    if (passing.has_affine) sum.passed_on += mass * lever.dot(gradient);
+    sum.stiffness.sound += strain * rates.sound;
+    sum.stiffness.viscosity += strain * rates.viscosity;
   }
-  return {sum.velocity / number, sum.gradient / number, sum.passed_on / number};
+  return {sum.velocity / total,
+          sum.gradient / total,
+          sum.passed_on / total,
+          {sum.stiffness.sound / total, sum.stiffness.viscosity / total}};
 }
 
-/// The sum at which a wave turns round by each step, -1 times itself.  Eq. (M174)
-[[nodiscard]] double turning_sum(const Seen& seen, double share, Order order) noexcept {
+/// The stiffness s with which a wave turns round by each step, -1 times itself.  Eq. (M174)
+[[nodiscard]] double turning_stiffness(const Seen& seen, double share, Order order) noexcept {
   const double kept = (1 + share) * (1 + seen.passed_on) + (1 - share) * seen.velocity;
   const double felt =
       order == Order::usl ? 1 + share - share * seen.velocity : seen.velocity + (1 + share) * seen.passed_on;
-  return 2 * kept / (felt * seen.gradient);
+  return 2 * kept / felt;
 }
 
-[[nodiscard]] double critical_sum(std::span<const SharedPlace> places, const AnyShape& any_shape,
-                                  const Passing& passing, Order order) {
+/// Calls visit(seen, turning stiffness) for each wave along an axis.
+template <class Visit>
+void for_each_wave(std::span<const SharedPlace> places, const AnyShape& any_shape,
+                   const AnyTransfer& transfer, Order order, const Visit& visit) {
   constexpr int num_waves = 32;
-  double least = std::numeric_limits<double>::infinity();
+  const Passing passing = passing_of(transfer);
   std::visit(
       [&](const auto& shape) {
         for (int n = 1; n <= num_waves; ++n) {
           const Seen seen = seen_of(shape, passing, places, n * std::numbers::pi / num_waves);
-          least = std::min(least, turning_sum(seen, passing.share, order));
+          visit(seen, turning_stiffness(seen, passing.share, order));
         }
       },
       any_shape);
-  return least;
 }
 
-/// Shares of the sum: that of sound over dt^2 [1/s^2], that of viscosity over dt [1/s].
-struct WaveRates {
-  double sound;
-  double viscosity;
-};
-
-[[nodiscard]] WaveRates wave_rates(const Rates& rates, double spacing) noexcept {
-  const double sound = rates.wave_speed / spacing;
-  return {sound * sound, 8.0 / 3 * rates.kinematic_viscosity / (spacing * spacing)};
+/// Where points with mass lie along an axis.
+/// @param rates of a point, by its index
+template <int D, int V, class RatesOf>
+[[nodiscard]] std::vector<SharedPlace> places_along(int axis, const Particles<D, V>& particles,
+                                                    const CartesianGrid<D>& grid, const AnyShape& shape,
+                                                    const RatesOf& rates) {
+  const double shift = std::visit([](const auto& s) { return s.shift; }, shape);
+  SharedPlaces places;
+  for (Index p = 0; p < particles.size(); ++p) {
+    const double mass = particles.mass.component(0)[p];
+    if (!(mass > 0)) continue;
+    const double x = particles.position.component(axis)[p];
+    if (!std::isfinite(x)) throw InputError{point_text(particles, p) + " has no finite position"};
+    places.add(detail::place_of(x, grid.origin()[axis], 1 / grid.spacing()[axis], shift).xi, mass, rates(p));
+  }
+  return places.in_use();
 }
 
 /// The limit that asks for more of the sum (M173) at that step, the same along each axis; and the acoustic
 /// one where its rate is no number.
 [[nodiscard]] Limit larger_share(const Rates& rates, double dt) noexcept {
-  const auto [sound, viscosity] = wave_rates(rates, 1);
+  const auto [sound, viscosity] = wave_rates(rates.wave_speed, rates.kinematic_viscosity, 1);
   return sound * dt > viscosity || !std::isfinite(sound) ? Limit::acoustic : Limit::viscous;
 }
 
@@ -167,20 +208,14 @@ template <int D, int V>
 template <int D, int V>
 Vector<D> critical_sums(const Particles<D, V>& particles, const CartesianGrid<D>& grid, const AnyShape& shape,
                         const AnyTransfer& transfer, Order order) {
-  const double shift = std::visit([](const auto& s) { return s.shift; }, shape);
-  const Passing passing = passing_of(transfer);
-  Vector<D> sums;
+  Vector<D> sums = Vector<D>::Constant(std::numeric_limits<double>::infinity());
   for (int axis = 0; axis < D; ++axis) {
-    SharedPlaces places;
-    for (Index p = 0; p < particles.size(); ++p) {
-      if (!(particles.mass.component(0)[p] > 0)) continue;
-      const double x = particles.position.component(axis)[p];
-      if (!std::isfinite(x)) throw InputError{point_text(particles, p) + " has no finite position"};
-      places.add(detail::place_of(x, grid.origin()[axis], 1 / grid.spacing()[axis], shift).xi);
-    }
-    const std::vector<SharedPlace> in_use = places.in_use();
-    require(!in_use.empty(), "critical_sums: there must be a point with mass");
-    sums[axis] = critical_sum(in_use, shape, passing, order);
+    const auto places =
+        places_along(axis, particles, grid, shape, [](Index /*point*/) { return WaveRates{}; });
+    require(!places.empty(), "critical_sums: there must be a point with mass");
+    for_each_wave(places, shape, transfer, order, [&](const Seen& seen, double stiffness) {
+      sums[axis] = std::min(sums[axis], stiffness / seen.gradient);
+    });
   }
   return sums;
 }
@@ -189,30 +224,29 @@ template <int D>
 double critical_step(const Vector<D>& sums, const CartesianGrid<D>& grid, const Rates& rates) noexcept {
   double dt = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < D; ++axis) {
-    const auto [sound, viscosity] = wave_rates(rates, grid.spacing()[axis]);
-    const double along =
-        2 * sums[axis] / (viscosity + std::sqrt(viscosity * viscosity + 4 * sums[axis] * sound));
-    if (along < dt || std::isnan(along)) dt = along;  // and stays no number: nothing is less
+    const WaveRates along = wave_rates(rates.wave_speed, rates.kinematic_viscosity, grid.spacing()[axis]);
+    dt = shorter_step(step_of(sums[axis], along), dt);
   }
   return dt;
 }
 
 template <int D, int V>
-Rates mean_rates(const Particles<D, V>& particles, const StressUpdate<D, V>& stress) {
-  double mass = 0;
-  double squares = 0;
-  double viscosities = 0;
-  for (Index p = 0; p < particles.size(); ++p) {
-    const double m = particles.mass.component(0)[p];
-    if (!(m > 0)) continue;
-    const BlockStiffness here = stress.stiffness(particles, p, p + 1);
-    mass += m;
-    squares += m * here.wave_speed * here.wave_speed;
-    viscosities += m * here.kinematic_viscosity;
+double unstable_step(const Particles<D, V>& particles, const StressUpdate<D, V>& stress,
+                     const CartesianGrid<D>& grid, const AnyShape& shape, const AnyTransfer& transfer,
+                     Order order) {
+  double dt = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < D; ++axis) {
+    const auto rates = [&](Index p) {
+      const BlockStiffness here = stress.stiffness(particles, p, p + 1);
+      return wave_rates(here.wave_speed, here.kinematic_viscosity, grid.spacing()[axis]);
+    };
+    const auto places = places_along(axis, particles, grid, shape, rates);
+    if (places.empty()) return dt;
+    for_each_wave(places, shape, transfer, order, [&](const Seen& seen, double stiffness) {
+      dt = shorter_step(step_of(stiffness, seen.stiffness), dt);
+    });
   }
-  Rates mean;
-  if (mass > 0) mean = {std::sqrt(squares / mass), viscosities / mass, 0, 0};
-  return mean;
+  return dt;
 }
 
 template <int D, int V>
@@ -231,10 +265,11 @@ void require_stable(const State<D, V>& state, const Stages<D, V>& stages, const 
   throw InputError{message.str()};
 }
 
-#define SCREE_INSTANCE(D, V)                                                                         \
-  template Vector<D> critical_sums(const Particles<D, V>&, const CartesianGrid<D>&, const AnyShape&, \
-                                   const AnyTransfer&, Order);                                       \
-  template Rates mean_rates(const Particles<D, V>&, const StressUpdate<D, V>&);                      \
+#define SCREE_INSTANCE(D, V)                                                                                \
+  template Vector<D> critical_sums(const Particles<D, V>&, const CartesianGrid<D>&, const AnyShape&,        \
+                                   const AnyTransfer&, Order);                                              \
+  template double unstable_step(const Particles<D, V>&, const StressUpdate<D, V>&, const CartesianGrid<D>&, \
+                                const AnyShape&, const AnyTransfer&, Order);                                \
   template void require_stable(const State<D, V>&, const Stages<D, V>&, const Vector<D>&, double);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE

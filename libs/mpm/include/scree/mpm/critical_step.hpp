@@ -11,11 +11,11 @@ namespace scree::mpm {
 ///   (c dt/h)^2 + 8/3 nu dt/h^2
 ///
 /// with which no wave of compression along that axis grows, sound and viscosity alike: the least over wave
-/// numbers, with what points at these places give to a node and take from it in the mean [-]. Exact where
-/// points form a lattice along the mesh; nodes of little mass have less, means over cells and filters more.
-/// Waves across the mesh are not seen: in two and three dimensions theirs may be lower, which is left to
-/// (M17) and (M19). Places are taken to a thousandth of a cell. Takes a pass over the points for each axis: for
-/// when a run is assembled, and now and then.
+/// numbers, with what points at these places give to a node and take from it in the mean by mass [-]. Exact
+/// where points form a lattice along the mesh; nodes of little mass have less, means over cells and filters
+/// more. Waves across the mesh are not seen: in two and three dimensions theirs may be lower, which is left
+/// to (M17) and (M19). Places are taken to a thousandth of a cell. Takes a pass over the points for each
+/// axis: for when a run is assembled, and now and then.
 /// @throws InputError naming a point without a finite position, or if no point has mass.
 /// @see Eqs. (M173), (M174)
 template <int D, int V>
@@ -31,12 +31,17 @@ template <int D>
 [[nodiscard]] double critical_step(const Vector<D>& sums, const CartesianGrid<D>& grid,
                                    const Rates& rates) noexcept;
 
-/// What bounds waves in the mean of all points, by their mass: the root of the mean square of the speed of
-/// sound, and the mean viscosity; no motion and no memory. Beyond critical_step() of these some wave grows,
-/// however sound and viscosity differ from point to point; beyond that of the largest, State::rates, only
-/// where enough of the material has them. Takes a pass over the points.  Eq. (M199)
+/// A step beyond which waves along an axis grow, however sound and viscosity differ from point to point [s]:
+/// by the mean over points of what each adds to a wave's stiffness where it lies. Never less than
+/// critical_step() of the largest rates, State::rates, and that if all points have them. Infinite without
+/// sound and viscosity. Of waves that all nodes take part in, those that walls hold too; derived for points
+/// of equal mass in a lattice, and under Apic and Order::usl for any. Takes a pass over the points for each
+/// axis.  Eq. (M199)
+/// @throws InputError naming a point without a finite position.
 template <int D, int V>
-[[nodiscard]] Rates mean_rates(const Particles<D, V>& particles, const StressUpdate<D, V>& stress);
+[[nodiscard]] double unstable_step(const Particles<D, V>& particles, const StressUpdate<D, V>& stress,
+                                   const CartesianGrid<D>& grid, const AnyShape& shape,
+                                   const AnyTransfer& transfer, Order order);
 
 /// For each step of a run whose steps are not those of stable_time_step(), or at large shares of its limits:
 /// a few operations, with the rates that the last step has left. These are the largest of all points, so that
