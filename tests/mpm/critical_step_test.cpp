@@ -1,10 +1,8 @@
 // From which step on waves grow, shown by the step itself.
 
-#include "bodies.hpp"
 #include "messages.hpp"
+#include "periodic_bar.hpp"
 #include "schemes.hpp"
-
-#include <scree/mpm/critical_step.hpp>
 
 #include <gtest/gtest.h>
 
@@ -15,6 +13,7 @@
 #include <memory>
 #include <numbers>
 #include <optional>
+#include <random>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -25,29 +24,8 @@ namespace scree::mpm {
 namespace {
 
 constexpr Threads one_thread{1};
-constexpr Index num_cells = 32;  // every other wave of those that critical_sums() looks at
-constexpr double spacing = 0.125;
-
-/// A periodic bar and how it is advanced.
-struct Bar {
-  AnyShape shape;
-  AnyTransfer transfer;
-  Order order = Order::usl;
-  Index per_cell = 1;
-  double offset = 0;   ///< of all points from the middle of their parts of a cell [spacings]
-  double viscous = 0;  ///< share of the sum (M173) that viscosity has [-]
-};
-
-[[nodiscard]] Particles<1, 1> points_of(const Bar& bar) {
-  auto particles = filled<1>(cube<1>(num_cells, spacing, true), bar.per_cell);
-  for (double& x : particles.position.values()) x += bar.offset * spacing;
-  return particles;
-}
-
-[[nodiscard]] double critical_sum_of(const Bar& bar) {
-  return critical_sums(points_of(bar), cube<1>(num_cells, spacing, true), bar.shape, bar.transfer,
-                       bar.order)[0];
-}
+constexpr Index num_cells = Bar::num_cells;
+constexpr double spacing = Bar::spacing;
 
 /// A law with which steps of dt have that sum, viscosity its share of it.
 [[nodiscard]] Fluid fluid_of(double sum, double viscous, double dt) {
@@ -126,27 +104,52 @@ TEST(CriticalSum, IsWhereWavesBeginToGrow) {  // Eqs. (M173), (M174)
   }
 }
 
+/// Points at random in a first part of every four cells, two for each cell of the bar.
+[[nodiscard]] Particles<1, 1> points_at_random(unsigned seed, double part) {
+  std::mt19937 random{seed};
+  std::uniform_real_distribution<double> draw{0, 1};
+  auto particles = points_of({.shape = Linear{}, .transfer = Apic{}, .per_cell = 2});
+  for (double& x : particles.position.values()) {
+    constexpr double four = 4 * spacing;
+    const double along = draw(random) * num_cells / 4;
+    x = (std::floor(along) + part * (along - std::floor(along))) * four;
+  }
+  return particles;
+}
+
+/// How a disturbance of points at random in that part of the bar grows at so many times (M174).
+[[nodiscard]] double growth_at_random(const Scheme& scheme, Order order, unsigned seed, double part,
+                                      double times, int num_steps) {
+  constexpr double dt = 0.01;
+  auto particles = points_at_random(seed, part);
+  const double sum =
+      critical_sums(particles, cube<1>(num_cells, spacing, true), scheme.shape, scheme.rule, order)[0];
+  auto stages = stages_of<1, 1>(particles, scheme.shape, scheme.rule, fluid_of(times * sum, 0, dt));
+  stages.order = order;
+  return growth(std::move(particles), stages, dt, num_steps);
+}
+
 /// Points at random, in every cell, in half of them or one in every fourth, are at their limit no later than
-/// (M174) of the means says, which so is no reason to stop a run that would hold.
+/// (M174) of the means says, which so is no reason to stop a run that would hold. Only groups of one cell
+/// that share no node with the next are, under the widest shape where velocities are not spread anew: no wave
+/// runs there, and they hold to 1.13 times it in 40 draws.
 TEST(CriticalSum, IsNotExceededByPointsAtRandom) {  // Eq. (M174)
   constexpr int num_steps = 200;
-  constexpr double dt = 0.01;
-  const CartesianGrid<1> grid = cube<1>(num_cells, spacing, true);
-  for (const double length : {1.0, 0.5, 0.25}) {  // of the part of each fourth cell that points are in
-    for (const AnyShape& shape : {AnyShape{Linear{}}, AnyShape{Quadratic{}}}) {
-      for (const AnyTransfer& transfer : {AnyTransfer{Apic{}}, AnyTransfer{PicFlip{1}}}) {
-        auto particles = scattered<1>(grid, 2 * num_cells, 0);
-        for (double& x : particles.position.values()) {
-          const double four = 4 * spacing;
-          const double begin = std::floor(x / four) * four;
-          x = begin + length * (x - begin);
+  for (const Scheme& scheme : every_scheme()) {
+    for (const Order order : {Order::usl, Order::musl, Order::usf}) {
+      const bool can_exceed = scheme.support() == 4 && scheme.increment_share() == 1 &&
+                              !scheme.has_affine() && order != Order::usl;
+      for (const double part : {1.0, 0.5, 0.25}) {
+        const double times = can_exceed && part < 0.5 ? 1.2 : 1.03;
+        for (unsigned seed = 1; seed <= 8; ++seed) {
+          EXPECT_GE(growth_at_random(scheme, order, seed, part, times, num_steps),
+                    std::pow(1.03, num_steps) / 10)
+              << scheme.name() << " " << order_names[static_cast<std::size_t>(order)] << " in " << part
+              << " of the bar, seed " << seed;
         }
-        std::ranges::fill(particles.mass.values(), 1);
-        const double sum = critical_sums(particles, grid, shape, transfer, Order::usl)[0];
-        const auto stages = stages_of<1, 1>(particles, shape, transfer, fluid_of(1.03 * sum, 0, dt));
-
-        EXPECT_GE(growth(std::move(particles), stages, dt, num_steps), std::pow(1.03, num_steps) / 10)
-            << "in " << length << " of the bar";
+      }
+      if (can_exceed) {
+        EXPECT_LE(growth_at_random(scheme, order, 2, 0.25, 1.03, num_steps), 2) << scheme.name();
       }
     }
   }
@@ -332,36 +335,6 @@ TEST(UnstableStep, IsByMass) {
   EXPECT_NEAR(dt, spacing / std::sqrt(3.25), 100 * round_off * spacing);
 }
 
-TEST(UnstableStep, IsNoneWhereNothingMakesAWave) {
-  const auto grid = cube<1>(num_cells, spacing, true);
-  const auto step_of = [&](Particles<1, 1> particles, const Fluid& law) {
-    const StressUpdateBy<1, 1, Fluid> stress{law, particles};
-    return unstable_step(particles, stress, grid, Linear{}, PicFlip{1}, Order::usf);
-  };
-  const auto points = points_of({.shape = Linear{}, .transfer = Apic{}});
-
-  EXPECT_TRUE(std::isinf(step_of(points, dust)));
-  EXPECT_TRUE(std::isinf(step_of(Particles<1, 1>{}, {1000, 1000, 1})));
-}
-
-TEST(CriticalSum, IsThatOfFiniteDifferencesForPointsInTheMiddleOfCells) {
-  EXPECT_NEAR(critical_sum_of({.shape = Linear{}, .transfer = Apic{}}), 1, 100 * round_off);
-  EXPECT_NEAR(critical_sum_of({.shape = Quadratic{}, .transfer = Tpic{}}), 1, 100 * round_off);
-  EXPECT_NEAR(critical_sum_of({.shape = Linear{}, .transfer = PicFlip{1}}), 0.5, 100 * round_off);
-  EXPECT_NEAR(critical_sum_of({.shape = Linear{}, .transfer = PicFlip{1}, .order = Order::usf}), 4,
-              100 * round_off);  // Eq. (M134)
-}
-
-/// Of points all over hat functions the shortest wave has P = 1/3 and Lambda = 4: under FLIP its sum is
-/// 2/4 2/(2 - P) = 3/5. Places are taken to w = 1/1024, by which P, whose integrand (1 - 2 xi)^2 is curved by
-/// 8, is off by 8/2 w^2/12, and the sum by 9/25 of that.
-TEST(CriticalSum, TakesPlacesToAThousandthOfACell) {
-  const Bar bar{.shape = Linear{}, .transfer = PicFlip{1}, .per_cell = 8192};
-  const double of_places = 9.0 / 25 / 3 / (1024.0 * 1024);
-
-  EXPECT_NEAR(critical_sum_of(bar), 0.6, of_places);
-}
-
 /// For one point a cell wherever it lies, and for two.
 TEST(CriticalSum, IsNeverBelowHalf) {
   constexpr int num_places = 100;
@@ -374,34 +347,6 @@ TEST(CriticalSum, IsNeverBelowHalf) {
     }
     EXPECT_GE(least, least_critical_sum * (1 - 100 * round_off)) << name_of(bar);
   }
-}
-
-TEST(CriticalSum, AsksForPointsThatHaveAPlaceAndMass) {
-  const auto grid = cube<1>(num_cells, spacing, true);
-  const auto sums_of = [&](const Particles<1, 1>& particles) {
-    return message_of<InputError>(
-        [&] { static_cast<void>(critical_sums(particles, grid, Linear{}, Apic{}, Order::usl)); });
-  };
-  auto lost = points_of({.shape = Linear{}, .transfer = Apic{}});
-  lost.position.component(0)[3] = std::nan("");
-  auto massless = points_of({.shape = Linear{}, .transfer = Apic{}});
-  std::fill(massless.mass.values().begin(), massless.mass.values().end(), 0.0);
-
-  EXPECT_EQ(sums_of(lost), "material point 3 at (nan) m has no finite position");
-  EXPECT_EQ(sums_of(massless), "critical_sums: there must be a point with mass");
-}
-
-/// Of two axes the one along which it is shorter: 2 h/c and, on twice the spacing, 0.5 h'/c = h/c.
-TEST(CriticalStep, IsThatOfTheAxisThatBinds) {
-  const CartesianGrid<2> grid{Vector<2>{0, 0}, Vector<2>{spacing, 2 * spacing}, {4, 4}, {false, false}};
-  const Rates sound{.wave_speed = 10};
-  const double nan = std::nan("");
-
-  EXPECT_NEAR(critical_step<2>({4, 0.25}, grid, sound), spacing / 10, 10 * round_off * spacing);
-  EXPECT_NEAR(critical_step<2>({1, 4}, grid, sound), spacing / 10, 10 * round_off * spacing);
-  EXPECT_TRUE(std::isnan(critical_step<2>({nan, 1}, grid, sound)));
-  EXPECT_TRUE(std::isnan(critical_step<2>({1, nan}, grid, sound)));
-  EXPECT_TRUE(std::isnan(critical_step<2>({1, 1}, grid, {.wave_speed = nan})));
 }
 
 /// In one dimension the default share of the viscous limit, a half, is a sum of 2/3: too much for FLIP on hat
