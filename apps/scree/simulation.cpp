@@ -230,7 +230,9 @@ void Simulation<D, V>::advance(double dt) {
   try {
     mpm::step(state, stages_, dt, threads_);
   } catch (const RunError& error) {
-    throw RunError{error.what() + leaving_text(state.particles, grid(), clock.time + dt)};
+    const bool is_to_stop = stages_.leaving == mpm::Leaving::stop;
+    throw RunError{error.what() +
+                   (is_to_stop ? leaving_text(state.particles, grid(), clock.time + dt) : std::string{})};
   }
 }
 

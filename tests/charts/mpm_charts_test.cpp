@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -49,24 +50,27 @@ TEST(MpmCharts, QuickTableHasEveryTransferAndOrder) {
   EXPECT_EQ(table.status, 0);
   EXPECT_EQ(table.header, "problem,shape,transfer,order,points_per_axis,cells,cpu_seconds,error");
   for (const std::string transfer : {"aflip", "apic", "flip", "pic", "tpic", "xpic_2"}) {
-    for (const char* order : {",usl", ",musl", ",usf"}) {
-      EXPECT_EQ(table.errors.count(transfer + order), 1U) << transfer << order;
-    }
+    std::set<double> errors;  // which order the steps were of shows
+    for (const char* order : {",usl", ",musl", ",usf"}) errors.insert(table.errors.at(transfer + order));
+    EXPECT_EQ(errors.size(), 3U) << transfer;
   }
   // PIC damps the swing away: its points lag by about as much as they should move.
   EXPECT_LT(table.errors.at("apic,usl"), 0.5 * table.errors.at("pic,usl"));
   EXPECT_LT(table.errors.at("flip,usl"), table.errors.at("pic,usl"));
 }
 
-/// Which order the steps were of shows in where the mass has come to lie.
+/// Which order the steps were of shows in where the mass has come to lie too; but that is told in shares of
+/// few points, which may by chance be alike for one transfer.
 TEST(MpmCharts, ColumnCollapsesInEveryOrder) {
   const QuickTable table = quick_table("collapse", "6");
 
   EXPECT_EQ(table.status, 0);
+  int num_changed = 0;
   for (const std::string transfer : {"aflip", "apic", "flip", "tpic", "xpic_2"}) {
-    EXPECT_NE(table.errors.at(transfer + ",usl"), table.errors.at(transfer + ",musl")) << transfer;
+    if (table.errors.at(transfer + ",usl") != table.errors.at(transfer + ",musl")) ++num_changed;
     EXPECT_EQ(table.errors.count(transfer + ",usf"), 1U) << transfer;
   }
+  EXPECT_GE(num_changed, 4);
   EXPECT_LT(table.errors.at("apic,usl"), 0.5 * table.errors.at("pic,usl"));
 }
 
