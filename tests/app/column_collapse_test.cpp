@@ -55,8 +55,8 @@ constexpr double half_width = 0.1;  // [m], of the scene
   return places[places.size() * 995 / 1000] / half_width - 1;
 }
 
-/// The least of the published laws, of sand between plates, which hold it back; where it is in doubt, from 1.8
-/// to 2.8, by the larger of its two.  Eq. (M198)
+/// The least of the published laws, of sand between plates, which hold it back; where it is in doubt,
+/// from 1.8 to 2.8, by the larger of its two.  Eq. (M198)
 [[nodiscard]] double of_experiments(double aspect) {
   return aspect < 1.8 ? 1.2 * aspect : 1.9 * std::pow(aspect, 2.0 / 3);
 }
