@@ -370,6 +370,38 @@ TEST(CutShapes, ShearStrayLayersApartUnderCubicShapesIfGradientsAreNotMended) { 
   }
 }
 
+/// Of blocks whose points reach past a wall, the one at low x or the one at high y, places are kept as they
+/// were when points gathered, and of no others.
+TEST(CutShapes, KeepPlacesOfPointsBesideThemAlone) {
+  constexpr Index num_cells = 48;
+  constexpr double untouched = -1;
+  const auto grid = cube<2>(num_cells, 1, false);
+  auto particles = filled<2>(grid, 1);
+  auto stages = stages_of<2, 2>(particles, Cubic{}, Apic{});
+  stages.boundaries.push_back(make_frictional_wall<2>(Dry{}, {}, Hold::pushes, 0, Side::low));
+  stages.boundaries.push_back(make_frictional_wall<2>(Dry{}, {}, Hold::pushes, 1, Side::high));
+  auto state = start(std::move(particles), grid, stages, one_thread);
+  step(state, stages, 1e-3, one_thread);
+  auto& kept = state.spare.position;
+  std::fill(kept.begin(), kept.end(), untouched);
+
+  step(state, stages, 1e-3, one_thread);
+
+  const Index last_node = stages.transfer->tile_edge() - 2;  // of a block, from its first cell on
+  Index num_kept = 0;
+  for (const ParticleBlock<2>& block : state.blocks.blocks) {
+    const bool is_beside = block.first_cell[0] <= 0 || block.first_cell[1] + last_node > num_cells;
+    num_kept += is_beside ? 1 : 0;
+    for (Index p = block.begin; p < block.end; ++p) {
+      for (const Index place : {p, p + state.particles.size()}) {
+        EXPECT_EQ(kept[static_cast<std::size_t>(place)] != untouched, is_beside) << p;
+      }
+    }
+  }
+  EXPECT_GT(num_kept, 0);
+  EXPECT_LT(2 * num_kept, static_cast<Index>(state.blocks.blocks.size()));
+}
+
 /// The power of the forces that nodes get, at any velocities of theirs, and what points take of it by their
 /// gradients, which should be the same. Of a few points beside walls all round.
 template <int D>

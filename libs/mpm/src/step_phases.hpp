@@ -111,6 +111,20 @@ template <int D, int V>
   return stages.transfer->gathers_cut() && std::ranges::any_of(stages.boundaries, cuts);
 }
 
+/// Whether a wall cuts shape functions of a block's points off: nodes past it are among those of the block.
+template <int D, int V>
+[[nodiscard]] bool is_cut(const ParticleBlock<D>& block, const CartesianGrid<D>& grid,
+                          const Stages<D, V>& stages) noexcept {
+  return std::ranges::any_of(stages.boundaries, [&](const auto& boundary) {
+    const std::optional<MeshEnd> end = boundary->cuts_shapes();
+    if (!end) return false;
+    const auto axis = static_cast<std::size_t>(end->axis);
+    const Index first = block.first_cell[axis] - 1;
+    return end->side == Side::low ? first < 0
+                                  : first + stages.transfer->tile_edge() - 1 > grid.num_cells()[axis];
+  });
+}
+
 /// Copies where the points of a block are.
 template <int D, int V>
 void keep_positions(State<D, V>& state, const ParticleBlock<D>& block) noexcept {
@@ -122,7 +136,7 @@ void keep_positions(State<D, V>& state, const ParticleBlock<D>& block) noexcept 
 }
 
 /// What nodes give to a block's points, beside walls that cut shapes off too.
-/// @param transfer that takes it  @param position of all points before, if that mends gradients
+/// @param transfer that takes it  @param position of all points before, or of those whose gradients it mends
 template <int D, int V>
 BlockMotion gather_block(State<D, V>& state, const Stages<D, V>& stages, const Transfer<D, V>& transfer,
                          const ParticleBlock<D>& block, const double* position, double dt) noexcept {
@@ -140,7 +154,7 @@ void gather(State<D, V>& state, const Stages<D, V>& stages, double dt, Threads t
   const bool mends = mends_gradients(stages);
   state.blocks.for_each(threads, [&](Index b) {
     const ParticleBlock<D>& block = state.blocks.blocks[static_cast<std::size_t>(b)];
-    if (mends) keep_positions(state, block);
+    if (mends && is_cut(block, state.nodes.grid(), stages)) keep_positions(state, block);
     state.block_results[static_cast<std::size_t>(b)].motion =
         gather_block(state, stages, *stages.transfer, block, state.spare.position.data(), dt);
     if (stages.point_term) stages.point_term->gather(state.particles, block, dt);
