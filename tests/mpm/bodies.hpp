@@ -88,6 +88,27 @@ template <int D, int V>
   return {static_cast<double>(total), static_cast<double>(size)};
 }
 
+/// Mean position and velocity of all points, by mass.
+template <int D>
+struct Mean {
+  Vector<D> position = Vector<D>::Zero();
+  Vector<D> velocity = Vector<D>::Zero();
+};
+template <int D>
+[[nodiscard]] Mean<D> mean_of(const Particles<D>& particles) {
+  Mean<D> mean;
+  double mass = 0;
+  for (Index p = 0; p < particles.size(); ++p) {
+    const double m = particles.mass.component(0)[p];
+    mass += m;
+    for (int axis = 0; axis < D; ++axis) {
+      mean.position[axis] += m * particles.position.component(axis)[p];
+      mean.velocity[axis] += m * particles.velocity.component(axis)[p];
+    }
+  }
+  return {mean.position / mass, mean.velocity / mass};
+}
+
 /// Largest absolute value in a column.
 [[nodiscard]] inline double largest(const Column& column) {
   double result = 0;
