@@ -10,19 +10,21 @@ namespace scree::mpm {
 namespace {
 
 /// Dust of unequal masses that flies to the right, with a share of two kinds that each point carries.
+template <int D = 2>
 struct Flight {
   Flight() {
-    const auto grid = cube<2>(24, 0.125, false);
-    auto particles = scattered<2>(grid, 600, 0.5);
+    const auto grid = cube<D>(24, 0.125, false);
+    auto particles = scattered<D>(grid, 600, 0.5);
     kinds = particles.add_column({"kinds", "k", "-"}, 2);
     for (Index p = 0; p < particles.size(); ++p) {
       particles.velocity.component(0)[p] = 3;
       particles.velocity.component(1)[p] = -0.5;
+      if constexpr (D == 3) particles.velocity.component(2)[p] = 0.25;
       particles.column(kinds).component(0)[p] = p % 2 == 0 ? 0.25 : 1;
       particles.column(kinds).component(1)[p] = p % 2 == 0 ? 0.75 : 0;
     }
-    stages = stages_of<2, 2>(particles, Quadratic{}, Apic{});
-    state = std::make_unique<State<2, 2>>(start(std::move(particles), grid, stages, {1}));
+    stages = stages_of<D, D>(particles, Quadratic{}, Apic{});
+    state = std::make_unique<State<D, D>>(start(std::move(particles), grid, stages, {1}));
   }
   [[nodiscard]] double carried(int kind) const {
     const auto& particles = state->particles;
@@ -33,21 +35,24 @@ struct Flight {
     return sum;
   }
   std::size_t kinds = 0;
-  Stages<2, 2> stages;
-  std::unique_ptr<State<2, 2>> state;
+  Stages<D, D> stages;
+  std::unique_ptr<State<D, D>> state;
 };
 
-[[nodiscard]] Outflow<2> right_half() {
-  const double infinity = std::numeric_limits<double>::infinity();
-  return {.low = {2, -infinity}, .high = {infinity, infinity}};
+template <int D>
+[[nodiscard]] Outflow<D> right_half() {
+  Outflow<D> box{.low = Vector<D>::Constant(-std::numeric_limits<double>::infinity()),
+                 .high = Vector<D>::Constant(std::numeric_limits<double>::infinity())};
+  box.low[0] = 2;
+  return box;
 }
 
 TEST(Outflow, TakesWhatIsInItAndNothingElse) {
-  Flight flight;
+  Flight<2> flight;
 
   for (int n = 0; n < 40; ++n) {
     step(*flight.state, flight.stages, 0.01, {1});
-    static_cast<void>(take_out(*flight.state, right_half()));
+    static_cast<void>(take_out(*flight.state, right_half<2>()));
     const auto& particles = flight.state->particles;
     for (Index p = 0; p < particles.size(); ++p) {
       const bool is_there = particles.mass.component(0)[p] > 0;
@@ -56,32 +61,38 @@ TEST(Outflow, TakesWhatIsInItAndNothingElse) {
   }
 }
 
-TEST(Outflow, CountsWhatIsMissing) {
-  Flight flight;
-  const double mass = Passage<2>::sum_of(flight.state->particles.mass);
+template <int D>
+void expect_that_is_counted_what_is_missing() {
+  Flight<D> flight;
+  const double mass = Passage<D>::sum_of(flight.state->particles.mass);
   const Momentum momentum = momentum_of(flight.state->particles, 0);
   const double coarse = flight.carried(1);
-  Passed<2> taken;
+  Passed<D> taken;
   constexpr int num_steps = 40;
 
   for (int n = 0; n < num_steps; ++n) {
     step(*flight.state, flight.stages, 0.01, {1});
-    taken += take_out(*flight.state, right_half(), flight.kinds);
+    taken += take_out(*flight.state, right_half<D>(), flight.kinds);
   }
 
   const auto& left = flight.state->particles;
   const double sums = 600 * round_off;  // of 600 points
   ASSERT_GT(taken.count, 300);
-  EXPECT_NEAR(taken.mass + Passage<2>::sum_of(left.mass), mass, sums * mass);
+  EXPECT_NEAR(taken.mass + Passage<D>::sum_of(left.mass), mass, sums * mass);
   EXPECT_NEAR(taken.momentum[0] + momentum_of(left, 0).total, momentum.total,
-              (sums + rounding_of(2, 3, num_steps)) * momentum.size);
+              (sums + rounding_of(D, 3, num_steps)) * momentum.size);
   ASSERT_EQ(taken.carried.size(), 2U);
   EXPECT_NEAR(taken.carried[1] + flight.carried(1), coarse, sums * coarse);
   EXPECT_NEAR(taken.carried[0] + taken.carried[1], taken.mass, sums * mass);
 }
 
+TEST(Outflow, CountsWhatIsMissing) {
+  expect_that_is_counted_what_is_missing<2>();
+  expect_that_is_counted_what_is_missing<3>();
+}
+
 TEST(Outflow, CanTakeEverything) {
-  Flight flight;
+  Flight<2> flight;
   const Outflow<2> all{.low = {0, 0}, .high = {3, 3}};
 
   EXPECT_EQ(take_out(*flight.state, all).count, 600);
