@@ -14,11 +14,16 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace scree::app {
 
 namespace {
+
+/// Between looks at whether waves grow, where no frame is due: a look at few points takes as long as some ten
+/// steps of them, at many as one or two, and so less than a thousandth of the run.
+constexpr std::int64_t steps_between_looks = 20000;
 
 /// Copies what lies beside a scene to the same place beside its results, so that these stand on their own.
 void keep_files(const std::vector<FileOfScene>& files, const std::filesystem::path& directory) {
@@ -71,7 +76,11 @@ class RunOnDisk {
       while (!simulation_.is_finished() && !guard.is_interrupted()) {
         const bool is_due = simulation_.step();
         warn();
-        if (is_due) store_frame();
+        if (is_due) {
+          store_frame();
+        } else if (simulation_.clock.step % steps_between_looks == 0) {
+          require_stable();
+        }
         last = standing();
         progress_.update(*last);
       }
@@ -97,16 +106,20 @@ class RunOnDisk {
     return io::FrameWriter::resume(options_.directory, simulation_.clock.step);
   }
 
-  /// What is there is kept, stable or not, to go on from. In no step after the end can waves grow.
   void store_frame() {
     write_frame(simulation_, frames_);
+    require_stable();
+    if (simulation_.clock.time >= next_checkpoint_) checkpoint();
+  }
+
+  /// What is there is kept, stable or not, to go on from. In no step after the end can waves grow.
+  void require_stable() {
     try {
       if (!simulation_.is_finished()) simulation_.require_stable();
     } catch (const RunError&) {
       checkpoint();
       throw;
     }
-    if (simulation_.clock.time >= next_checkpoint_) checkpoint();
   }
 
   /// Of what the last step has found.

@@ -234,20 +234,7 @@ TEST(Program, RestartWhoseRatesAreNoNumbersEndsWithCode3AndItsSummary) {
 /// functions. At rest sound alone bounds its step. Under 30 degrees the shear stress, 4905 Pa/m times the
 /// depth, leads to a viscosity of two thirds of the largest in the mean, and at the viscous limit to a sum of
 /// 8/9 or more, of 0.59 that hold. Before that the waves that grow have thickened it so that steps collapse.
-struct UnstableRun {
-  std::string scene;    ///< its file
-  std::string command;  ///< that runs it
-  fs::path checkpoint;
-  Result result;
-  io::FrameReader frames;
-  double time;  ///< of its end [s]
-};
-
-[[nodiscard]] UnstableRun unstable_run(const std::string& name) {
-  const fs::path directory = fresh(name);
-  const std::string file = directory.string() + ".toml";
-  fs::create_directories(directory);
-  std::ofstream{file} << R"([mesh]
+const std::string thickening_column = R"([mesh]
 dimensions = 1
 velocity_components = 2
 size = [1.0]
@@ -274,9 +261,23 @@ increment_share = 1
 viscous = 1
 [time]
 end = 10
-[output]
-every = 0.01
 )";
+
+/// That column, looked at with frames.
+struct UnstableRun {
+  std::string scene;    ///< its file
+  std::string command;  ///< that runs it
+  fs::path checkpoint;
+  Result result;
+  io::FrameReader frames;
+  double time;  ///< of its end [s]
+};
+
+[[nodiscard]] UnstableRun unstable_run(const std::string& name) {
+  const fs::path directory = fresh(name);
+  const std::string file = directory.string() + ".toml";
+  fs::create_directories(directory);
+  std::ofstream{file} << thickening_column + "[output]\nevery = 0.01\n";
   const std::string command = "run " + file + " --quiet --output " + directory.string();
   const Result result = scree(command);
   const auto summary = nlohmann::json::parse(text_of(directory / "summary.json"));
@@ -319,6 +320,44 @@ TEST(Program, UnstableRunGoesOnFromWhereItWasStoppedWithTheShareThatItNames) {
   EXPECT_EQ(with_old_share.exit_code, 2) << with_old_share.output;
   EXPECT_EQ(with_new_share.exit_code, 0) << with_new_share.output;
   EXPECT_EQ(io::FrameReader{run.checkpoint.parent_path()}.frames().size(), run.frames.frames().size() + 1);
+}
+
+[[nodiscard]] bool is_unstable(const Simulation<1, 2>& simulation) {
+  try {
+    simulation.require_stable();
+  } catch (const RunError&) {
+    return true;
+  }
+  return false;
+}
+
+/// The first step after which waves grow is made that of number 20 000, by the checkpoint from which it
+/// starts.
+TEST(Program, RunWithoutFramesIsStoppedByTheNumberOfItsSteps) {
+  const fs::path directory = fresh("unstable_without_frames");
+  const fs::path checkpoint = directory / "checkpoint.h5";
+  const std::string file = directory.string() + ".toml";
+  fs::create_directories(directory);
+  std::ofstream{file} << thickening_column;
+  const std::string run = "run " + file + " --quiet --output " + directory.string();
+  ASSERT_EQ(scree(run + " --set time.end=0.001").exit_code, 0);
+  Simulation<1, 2> begun{read_scene(file, {}).scene, {1}};
+  Simulation<1, 2> ahead{read_scene(file, {}).scene, {1}};
+  read_checkpoint_into(begun, checkpoint);
+  read_checkpoint_into(ahead, checkpoint);
+  while (!is_unstable(ahead)) ahead.step();
+  begun.clock.step = 20000 - (ahead.clock.step - begun.clock.step);
+  write_checkpoint(begun, checkpoint, "");
+
+  const Result result = scree(run + " --restart " + checkpoint.string());
+
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.output.rfind("scree: the run failed at step 20000, t = ", 0), 0U) << result.output;
+  EXPECT_NE(result.output.find(" s: the run has become unstable: [numerics] "), std::string::npos)
+      << result.output;
+  Simulation<1, 2> stored{read_scene(file, {named_share(result.output)}).scene, {1}};
+  read_checkpoint_into(stored, checkpoint);
+  EXPECT_EQ(stored.clock.time, ahead.clock.time);
 }
 
 TEST(Program, RunWhoseEndIsReachedBeforeWavesGrowIsFinished) {
