@@ -11,6 +11,7 @@
 
 #include <scree/io/bounds.hpp>
 #include <scree/mpm/append.hpp>
+#include <scree/mpm/cell_sort.hpp>
 #include <scree/mpm/limiting_point.hpp>
 #include <scree/mpm/seed_region.hpp>
 
@@ -225,14 +226,17 @@ void Simulation<D, V>::renew_rates() {
   state.rates = {now.wave_speed, now.kinematic_viscosity, state.rates.advection_rate, now.relaxation_rate};
 }
 
+/// @param limit what bounds steps, this one too unless a frame cuts it short
 template <int D, int V>
-void Simulation<D, V>::advance(double dt) {
+void Simulation<D, V>::advance(double dt, mpm::Limit limit) {
   try {
     mpm::step(state, stages_, dt, threads_);
-  } catch (const RunError& error) {
+  } catch (const mpm::OutsideMesh& error) {
     const bool is_to_stop = stages_.leaving == mpm::Leaving::stop;
     throw RunError{error.what() +
                    (is_to_stop ? leaving_text(state.particles, grid(), clock.time + dt) : std::string{})};
+  } catch (const RunError& error) {
+    throw RunError{error.what() + step_remedy(scene_, limit)};
   }
 }
 
@@ -289,10 +293,11 @@ template <int D, int V>
 bool Simulation<D, V>::step() {
   mpm::TimeStep next = next_step();
   require_progress(next);
+  const mpm::Limit limit = next.limit;
   const double left = next_frame_time() - clock.time;
   const bool reaches_frame = left <= next.dt;
   if (reaches_frame) next = {left, mpm::Limit::output};
-  advance(next.dt);
+  advance(next.dt, limit);
   clock.moved += next.dt;
   pass_material();
   count_updates();

@@ -108,7 +108,7 @@ class Simulation {
   void count_updates();
   void segregate();
   void follow_grains();
-  void advance(double dt);
+  void advance(double dt, mpm::Limit limit);
   void require_progress(const mpm::TimeStep& next);
   [[nodiscard]] std::string instability_now() const;
   void renew_rates();

@@ -177,6 +177,12 @@ std::string instability(const Scene& scene, const mpm::State<D, V>& state,
       key, value, step.dt, critical, scheme_of(scene), shortened(value * safe / step.dt));
 }
 
+std::string step_remedy(const Scene& scene, mpm::Limit limit) {
+  if (limit == mpm::Limit::output) return {};
+  const auto [key, value] = share_of(limit, scene.time_step);
+  return fmt::format(" ([numerics] {} = {:g} bounds steps: give less)", key, value);
+}
+
 template <int D, int V>
 void require_stiff(const Scene& scene, const Filling<D>& filling, const mpm::Stages<D, V>& stages,
                    const mpm::Particles<D, V>& particles) {

@@ -4,6 +4,8 @@
 #include "scree/summary.hpp"
 #include "surroundings.hpp"
 
+#include <gmock/gmock.h>
+
 #include <array>
 #include <filesystem>
 
@@ -103,6 +105,24 @@ TEST(LeavingScene, ReflectedMassStays) {
   step_to(block, 0.05);
 
   EXPECT_NEAR(mass_of(block), mass, 32 * round_off * mass);
+}
+
+/// Two points of one step: the message is of the one without volume, so that what would help it is said.
+TEST(LeavingScene, IsNotBlamedForAPointWithoutVolume) {
+  auto block = conveyed("");
+  block.state.particles.position.component(0)[7] = 0.3999;
+  block.state.particles.density.component(0)[3] = -1000;
+
+  std::string message = "no error";
+  try {
+    block.step();
+  } catch (const RunError& error) {
+    message = error.what();
+  }
+
+  EXPECT_GT(block.state.particles.position.component(0)[7], 0.4);
+  EXPECT_THAT(message, ::testing::EndsWith("; a shorter step, by smaller shares of its limits, may help "
+                                           "([numerics] viscous = 0.5 bounds steps: give less)"));
 }
 
 /// One point, brought to the end by hand.

@@ -223,6 +223,33 @@ TEST(StableStep, OfStoredPointsIsThatOfThePointsAsTheyLie) {
             "shape = \"quadratic\", order = \"usl\"");
 }
 
+/// What a step says of a point, by what its message ends with from `part` on.
+template <class Spoil>
+[[nodiscard]] std::string message_of_step(const std::string& numerics, const Spoil& spoil,
+                                          const std::string& part) {
+  auto run = column(numerics, 1e-3);
+  spoil(run.state.particles);
+  const std::string message = message_when<RunError>([&] { run.step(); });
+  const auto begin = message.find(part);
+  return begin == std::string::npos ? message : message.substr(begin);
+}
+
+/// Sound bounds steps to 0.00625 s, before the scene does.
+TEST(FailedStep, NamesTheKeyThatBoundsSteps) {
+  const auto lose_volume = [](auto& particles) { particles.density.component(0)[2] = -1000; };
+  const auto lose_place = [](auto& particles) { particles.velocity.component(0)[2] = std::nan(""); };
+  const std::string without_volume =
+      "; a shorter step, by smaller shares of its limits, may help ([numerics] ";
+  const std::string without_place = " has no finite position ([numerics] ";
+
+  EXPECT_EQ(message_of_step("acoustic = 0.4", lose_volume, "; "),
+            without_volume + "acoustic = 0.4 bounds steps: give less)");
+  EXPECT_EQ(message_of_step("maximum_dt = 0.001", lose_volume, "; "),
+            without_volume + "maximum_dt = 0.001 bounds steps: give less)");
+  EXPECT_EQ(message_of_step("", lose_place, " has"),
+            without_place + "acoustic = 0.5 bounds steps: give less)");
+}
+
 /// The deepest point lies 0.729 m under the surface: 7153 Pa.
 TEST(StiffLaw, MustBearTheWeightOfItsMaterial) {
   EXPECT_EQ(

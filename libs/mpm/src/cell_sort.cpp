@@ -63,8 +63,8 @@ template <int D, int V>
     box += text;
     is_finite = is_finite && std::isfinite(particles.position.component(axis)[p]);
   }
-  throw RunError{point_text(particles, p) + ' ' +
-                 (is_finite ? "is outside the mesh " + box + " m" : "has no finite position")};
+  if (!is_finite) throw RunError{point_text(particles, p) + " has no finite position"};
+  throw OutsideMesh{point_text(particles, p) + " is outside the mesh " + box + " m"};
 }
 
 template <int D, int V>
