@@ -62,6 +62,42 @@ struct Kernelled : Coarse {
   }
 };
 
+/// A law with a form for plane flow, which counts its steps twice.
+struct Counting : Fluid {
+  static constexpr std::string_view name = "counting";
+  template <class Real>
+  struct State {
+    Real steps, steps_along_z;
+  };
+  template <class Real>
+  struct PlaneState {
+    Real steps;
+  };
+  static constexpr std::array<StateColumn, 2> states{{{"steps", "-"}, {"steps_along_z", "-"}}};
+  static constexpr std::array<std::size_t, 1> plane_states{0};
+
+  template <class Real>
+  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& /*deformation*/,
+                                                   const Input<Real>& /*input*/, const State<Real>& old,
+                                                   Real /*dt*/) const noexcept {
+    return {{}, {old.steps + 1, old.steps_along_z + 1}};
+  }
+  template <class Real>
+  [[nodiscard]] Response<Real, PlaneState<Real>> update(const Deformation<Real>& /*deformation*/,
+                                                        const Input<Real>& /*input*/,
+                                                        const PlaneState<Real>& old,
+                                                        Real /*dt*/) const noexcept {
+    return {{}, {old.steps + 2}};
+  }
+  template <class Real, class AnyState>
+  [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& /*deformation*/,
+                                          const Input<Real>& /*input*/,
+                                          const AnyState& /*state*/) const noexcept {
+    return {1, 0};
+  }
+};
+static_assert(HasPlaneForm<Counting> && !HasPlaneForm<Coarse>);
+
 /// A law that never bears a pressure.
 struct Powder : Fluid {
   static constexpr std::string_view name = "powder";
@@ -84,6 +120,37 @@ struct Sheared {
   Particles<D, V> particles;
   std::size_t grain_size;
 };
+
+template <int D, int V>
+[[nodiscard]] std::array<double, 2> steps_counted() {
+  Particles<D, V> particles;
+  particles.resize(pack_size);
+  StressUpdateBy<D, V, Counting> update{{}, particles};
+  update.apply(particles, {{}, 0, pack_size}, 1e-3);
+  const auto count = [&](std::string_view name) {
+    return particles.column(particles.find_column(name, "the test")).component(0)[pack_size - 1];
+  };
+  return {count("steps"), count("steps_along_z")};
+}
+
+TEST(StressUpdate, RunsAPlaneFlowByThePlaneFormOfALaw) {
+  EXPECT_EQ((steps_counted<1, 1>()), (std::array<double, 2>{2, 0}));
+  EXPECT_EQ((steps_counted<2, 2>()), (std::array<double, 2>{2, 0}));
+  EXPECT_EQ((steps_counted<2, 3>()), (std::array<double, 2>{1, 1}));
+  EXPECT_EQ((steps_counted<3, 3>()), (std::array<double, 2>{1, 1}));
+}
+
+TEST(StressUpdate, NamesThePointWhoseMemoryIsNotThatOfAPlane) {
+  Sheared<2, 2> sheared;
+  const StressUpdateBy<2, 2, Counting> update{{}, sheared.particles};
+  const std::size_t column = sheared.particles.find_column("steps_along_z", "the test");
+  sheared.particles.column(column).component(0)[3] = 2;
+
+  const auto complaint = message_of<InputError>([&] { update.require_inputs(sheared.particles); });
+
+  EXPECT_EQ(complaint,
+            "the law 'counting' reads steps_along_z = 2 of material point 3 at (0, 0) m: must be 0");
+}
 
 TEST(StressUpdate, NamesTheColumnThatALawMisses) {
   Particles<2> particles;

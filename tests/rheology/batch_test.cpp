@@ -40,9 +40,11 @@ class EveryLawInBatches : public ::testing::TestWithParam<LawInBlocks> {
   const LawInBlocks& law = GetParam();
 
   /// Columns of a batch that it writes: the states, and the stress above its diagonal.
-  [[nodiscard]] bool is_written(std::size_t column) const {
+  [[nodiscard]] bool is_written(std::size_t column, bool is_plane = false) const {
     if (column < law.num_arguments()) return column >= law.first_state();
-    return std::ranges::count(detail::places_of_stress, column - law.num_arguments()) == 1;
+    const std::size_t place = column - law.num_arguments();
+    if (is_plane && is_out_of_plane(place)) return false;
+    return std::ranges::count(detail::places_of_stress, place) == 1;
   }
 };
 INSTANTIATE_TEST_SUITE_P(List, EveryLawInBatches, ::testing::ValuesIn(laws_in_blocks()),
@@ -50,20 +52,23 @@ INSTANTIATE_TEST_SUITE_P(List, EveryLawInBatches, ::testing::ValuesIn(laws_in_bl
 
 /// Each point has the bits that it has in a block, and nothing beyond the last is touched.
 TEST_P(EveryLawInBatches, OfAnyLengthHaveTheBitsOfTheKernel) {
-  const Numbers before = law.some_points(longest, time_step);
-  for (const InstructionSet set : instruction_sets()) {
-    Numbers by_kernel = before;
-    law.update(set, by_kernel, time_step, false);
-    for (const std::size_t length : lengths) {
-      SCOPED_TRACE(std::string{name_of(set)} + ", " + std::to_string(length));
-      Numbers numbers = before;
+  for (const bool is_plane : {false, true}) {
+    const Numbers before = law.some_points(longest, time_step, is_plane);
+    for (const InstructionSet set : instruction_sets()) {
+      Numbers by_kernel = before;
+      law.update(set, by_kernel, time_step, is_plane);
+      for (const std::size_t length : lengths) {
+        SCOPED_TRACE(std::string{name_of(set)} + (is_plane ? " in a plane, " : ", ") +
+                     std::to_string(length));
+        Numbers numbers = before;
 
-      law.update_batch(set, numbers, length, time_step);
+        law.update_batch(set, numbers, length, time_step, is_plane);
 
-      for (std::size_t k = 0; k < numbers.size(); ++k) {
-        const auto end = static_cast<Index>(is_written(k) ? length : 0);
-        EXPECT_TRUE(std::equal(numbers[k].begin(), numbers[k].begin() + end, by_kernel[k].begin())) << k;
-        EXPECT_TRUE(std::equal(numbers[k].begin() + end, numbers[k].end(), before[k].begin() + end)) << k;
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+          const auto end = static_cast<Index>(is_written(k, is_plane) ? length : 0);
+          EXPECT_TRUE(std::equal(numbers[k].begin(), numbers[k].begin() + end, by_kernel[k].begin())) << k;
+          EXPECT_TRUE(std::equal(numbers[k].begin() + end, numbers[k].end(), before[k].begin() + end)) << k;
+        }
       }
     }
   }
@@ -77,11 +82,12 @@ TEST_P(EveryLawInBatches, ReportTheLargestOfTheirPoints) {
     for (std::size_t p = 0; p < length; ++p) {
       Numbers one;
       for (const auto& column : before) one.emplace_back(1, column[p]);
-      largest.widen(law.update_batch(widest_instruction_set(), one, 1, time_step));
+      largest.widen(law.update_batch(widest_instruction_set(), one, 1, time_step, false));
     }
     Numbers numbers = before;
 
-    const BlockStiffness report = law.update_batch(widest_instruction_set(), numbers, length, time_step);
+    const BlockStiffness report =
+        law.update_batch(widest_instruction_set(), numbers, length, time_step, false);
 
     EXPECT_EQ(report.wave_speed, largest.wave_speed) << length;
     EXPECT_EQ(report.kinematic_viscosity, largest.kinematic_viscosity);
@@ -117,7 +123,7 @@ TEST_P(EveryLawInBatches, AreRefusedForAColumnThatIsTooShort) {
     const Numbers before = numbers;
 
     const std::string message =
-        refusal([&] { law.update_batch(InstructionSet::baseline, numbers, 8, time_step); });
+        refusal([&] { law.update_batch(InstructionSet::baseline, numbers, 8, time_step, false); });
 
     EXPECT_NE(message, "") << k;
     EXPECT_EQ(numbers, before);
@@ -174,6 +180,14 @@ TEST(UpdateBatch, NamesTheColumnThatIsNotAsLongAsTheOthers) {
   EXPECT_EQ(
       refused([&](auto& c) { c.velocity_gradient[3] = {}; }),
       "the law 'mu_of_i' is given 0 numbers as velocity_gradient_yx: must be 13, as many as of density");
+  const auto leave_the_plane_out = [&](auto& c) {
+    for (const std::size_t i : out_of_plane) c.velocity_gradient[i] = {};
+    c.stress[3] = {};
+  };
+  EXPECT_EQ(refused(leave_the_plane_out),
+            "the law 'mu_of_i' is given 0 numbers as stress_xy: must be 13, as many as of density");
+  EXPECT_EQ(refused([&](auto& c) { c.stress[4] = {}; }),
+            "the law 'mu_of_i' is given 0 numbers as stress_xz: must be 13, as many as of density");
   EXPECT_EQ(refused([&](auto& c) { c.inputs[0] = c.inputs[0].first(1); }),
             "the law 'mu_of_i' is given 1 numbers as grain_size: must be 13, as many as of density");
   EXPECT_EQ(
@@ -235,7 +249,7 @@ TEST(UpdateBatch, NamesThePointThatItCouldNotSolve) {
   const auto unsolved_point = [&](auto fraction_at) {
     Numbers numbers(law.num_arguments() + 9, std::vector<double>(11, 1e-3));
     for (std::size_t p = 0; p < 11; ++p) numbers[9][p] = fraction_at(p) * gas.grain_density;
-    return law.update_batch(widest_instruction_set(), numbers, 11, time_step).unsolved_point;
+    return law.update_batch(widest_instruction_set(), numbers, 11, time_step, false).unsolved_point;
   };
 
   for (std::size_t worst = 0; worst < 11; ++worst) {

@@ -1,6 +1,7 @@
 #include "points.hpp"
 
 #include <scree/rheology/kinematics.hpp>
+#include <scree/rheology/plane_symmetric.hpp>
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,21 @@ TEST(Turned, IsTheRotationOfTheMidpointIncrement) {  // Eq. (R18): the closed fo
     const auto actual = turned(symmetric(a), gradient, 0.5).tensor();
 
     EXPECT_LE(largest(actual - expected), 60 * round_off * 3);  // some sixty operations on sums of three
+  }
+}
+
+TEST(Carried, IsTheSameInThePlaneForm) {  // Eq. (R18), with a stretch along z
+  const auto tensors = velocity_gradients();
+  for (std::size_t n = 0; n < tensors.size(); ++n) {
+    auto gradient = tensors[n];
+    gradient(0, 2) = gradient(1, 2) = gradient(2, 0) = gradient(2, 1) = 0;
+    const auto a = symmetric_part(tensors[(n + 1) % tensors.size()]);
+    const PlaneSymmetric<double> plane{a(0, 0), a(1, 1), a(2, 2), a(0, 1)};
+
+    const auto expected = carried(symmetric(plane.tensor()), gradient, 0.1).tensor();
+    const auto actual = carried(plane, gradient, 0.1).tensor();
+
+    EXPECT_LE(largest(actual - expected), 60 * round_off * 3);  // as above
   }
 }
 

@@ -22,7 +22,7 @@ template <class Law>
   for (auto& input : block.inputs) input = numbers[column++].data();
   for (auto& state : block.states) state = numbers[column++].data();
   for (std::size_t i = 0; i < 9; ++i, ++column) {
-    if (is_plane && (i % 3 == 2 || i > 5)) continue;
+    if (is_plane && is_out_of_plane(i)) continue;
     block.velocity_gradient[i] = {numbers[i].data(), 1};
     block.stress[i] = numbers[column].data();
   }
@@ -30,19 +30,23 @@ template <class Law>
 }
 
 template <class Law>
-[[nodiscard]] LawColumns<Law> columns_of(Numbers& numbers, std::size_t num_points) {
+[[nodiscard]] LawColumns<Law> columns_of(Numbers& numbers, std::size_t num_points, bool is_plane) {
   LawColumns<Law> columns;
   std::size_t next = 0;
   const auto first_of = [&](std::vector<double>& all) {
     return std::span{all}.first(std::min(num_points, all.size()));
   };
   const auto column = [&] { return first_of(numbers[next++]); };
-  for (auto& gradient : columns.velocity_gradient) gradient = column();
+  for (std::size_t i = 0; i < 9; ++i) {
+    const auto gradient = column();
+    if (!is_plane || !is_out_of_plane(i)) columns.velocity_gradient[i] = gradient;
+  }
   columns.density = column();
   for (auto& input : columns.inputs) input = column();
   for (auto& state : columns.states) state = column();
   for (std::size_t i = 0; i < 6; ++i) {
-    columns.stress[i] = first_of(numbers[next + detail::places_of_stress[i]]);
+    const std::size_t place = detail::places_of_stress[i];
+    if (!is_plane || !is_out_of_plane(place)) columns.stress[i] = first_of(numbers[next + place]);
   }
   return columns;
 }
@@ -58,18 +62,20 @@ template <class Law>
     result.states.push_back(state.initial);
     result.units_of_state.push_back(state.unit);
   }
+  result.has_plane_form = HasPlaneForm<Law>;
   result.has_kernel = [law](InstructionSet set) { return block_kernel(law, set) != nullptr; };
   result.update = [law](InstructionSet set, Numbers& numbers, double dt, bool is_plane) {
     return block_kernel(law, set)(law, block_of<Law>(numbers, is_plane), dt);
   };
-  result.update_by_points = [law](Numbers& numbers, double dt) {
-    return update_block<double>(law, block_of<Law>(numbers, false), dt);
+  result.update_by_points = [law](Numbers& numbers, double dt, bool is_plane) {
+    return update_block<double>(law, block_of<Law>(numbers, is_plane), dt);
   };
-  result.update_batch = [law](InstructionSet set, Numbers& numbers, std::size_t num_points, double dt) {
-    return rheology::update_batch(law, columns_of<Law>(numbers, num_points), dt, set);
+  result.update_batch = [law](InstructionSet set, Numbers& numbers, std::size_t num_points, double dt,
+                              bool is_plane) {
+    return rheology::update_batch(law, columns_of<Law>(numbers, num_points, is_plane), dt, set);
   };
   result.validate_columns = [](Numbers& numbers) {
-    rheology::validate_columns(columns_of<Law>(numbers, numbers.front().size()));
+    rheology::validate_columns(columns_of<Law>(numbers, numbers.front().size(), false));
   };
   return result;
 }
@@ -90,17 +96,19 @@ LawInBlocks law_in_blocks(std::string_view name) {
   return *std::ranges::find(laws, name, &LawInBlocks::name);
 }
 
-Numbers LawInBlocks::some_points(std::size_t num_points, double dt) const {
+Numbers LawInBlocks::some_points(std::size_t num_points, double dt, bool is_plane) const {
   Numbers numbers(num_arguments() + 9, std::vector<double>(num_points));
   const auto gradients = velocity_gradients();
   for (std::size_t p = 0; p < num_points; ++p) {
-    for (std::size_t i = 0; i < 9; ++i) numbers[i][p] = gradients[p % 8].components[i];
+    for (std::size_t i = 0; i < 9; ++i) {
+      numbers[i][p] = is_plane && is_out_of_plane(i) ? 0 : gradients[p % 8].components[i];
+    }
     numbers[density][p] = densities[(p + p / 8) % 4];
     const double times = 1 - static_cast<double>(p) / 32;
     for (std::size_t i = 0; i < inputs.size(); ++i) numbers[10 + i][p] = times * inputs[i];
     for (std::size_t i = 0; i < states.size(); ++i) numbers[first_state() + i][p] = states[i];
   }
-  for (int n = 0; n < 2; ++n) update_by_points(numbers, dt);
+  for (int n = 0; n < 2; ++n) update_by_points(numbers, dt, is_plane);
   return numbers;
 }
 

@@ -1,6 +1,7 @@
 #include "derivative.hpp"
 #include "points.hpp"
 
+#include <scree/rheology/plane_functions.hpp>
 #include <scree/rheology/tensor_functions.hpp>
 
 #include <gtest/gtest.h>
@@ -24,21 +25,46 @@ constexpr double logarithm_tolerance = 2 * 20 * round_off;
 /// once it is squared, a product of tensors, three each. Each squaring doubles it, up to twice |a| over the
 /// reach.
 constexpr double exponential_tolerance = 10 * round_off;
-constexpr double logarithm_reach = 0.25;   // of |b - 1|
 constexpr double exponential_reach = 0.3;  // of |a|
 
 [[nodiscard]] double norm(const Tensor<double>& a) {
   return std::sqrt(contract(a, a));
 }
 
+/// A tensor of three dimensions.
+struct Full {
+  static constexpr double logarithm_reach = 0.25;  ///< of |b - 1|, where it is a series
+
+  template <class Real>
+  [[nodiscard]] static Symmetric<Real> of(const Tensor<Real>& a) {
+    return symmetric(a);
+  }
+};
+
+/// One of a plane, with its component along z.
+struct Plane {
+  static constexpr double logarithm_reach = 0.2;
+
+  template <class Real>
+  [[nodiscard]] static PlaneSymmetric<Real> of(const Tensor<Real>& a) {
+    return {a(0, 0), a(1, 1), a(2, 2), a(0, 1)};
+  }
+};
+
 /// Of norm 1: of any direction, with eigenvalues that coincide, of trace 0, of a plane.
+template <class Form>
 [[nodiscard]] std::vector<Tensor<double>> directions() {
   std::vector<Tensor<double>> result;
   for (const auto& gradient : velocity_gradients()) result.push_back(symmetric_part(gradient));
   result.push_back(isotropic(-1.0));
   result.push_back(symmetric_part(rotated({{1, 0, 0, 0, 1, 0, 0, 0, -2}})));
   result.push_back({{0, 1, 0, 1, 0, 0, 0, 0, 0}});
-  for (auto& a : result) a *= 1 / norm(a);
+  result.push_back({{1, 0, 0, 0, 1, 0, 0, 0, 0}});
+  result.push_back({{0, 0, 0, 0, 0, 0, 0, 0, -1}});
+  for (auto& a : result) {
+    a = Form::of(a).tensor();
+    a *= 1 / norm(a);
+  }
   return result;
 }
 
@@ -63,21 +89,31 @@ template <class Coefficient>
   return detail::by_axes(symmetric(b), half_log).tensor();
 }
 
+template <class Form>
 [[nodiscard]] Tensor<double> half_logarithm_of(const Tensor<double>& b) {
-  return half_logarithm(symmetric(b)).tensor();
+  return half_logarithm(Form::of(b)).tensor();
 }
 
+template <class Form>
 [[nodiscard]] Tensor<double> exponential_of(const Tensor<double>& a) {
-  return exponential(symmetric(a)).tensor();
+  return exponential(Form::of(a)).tensor();
 }
+
+using Forms = ::testing::Types<Full, Plane>;
+template <class Form>
+class HalfLogarithm : public ::testing::Test {};
+TYPED_TEST_SUITE(HalfLogarithm, Forms);
+template <class Form>
+class Exponential : public ::testing::Test {};
+TYPED_TEST_SUITE(Exponential, Forms);
 
 /// The smallest strain keeps its digits too, which its logarithm along axes loses.
-TEST(HalfLogarithm, IsItsPowerSeriesToRoundOffOfTheStrain) {  // Eq. (R183)
-  for (const auto& direction : directions()) {
-    for (const double size : {1e-12, 1e-6, 1e-3, 0.05, 0.999 * logarithm_reach}) {
+TYPED_TEST(HalfLogarithm, IsItsPowerSeriesToRoundOffOfTheStrain) {  // Eqs. (R183), (R185)
+  for (const auto& direction : directions<TypeParam>()) {
+    for (const double size : {1e-12, 1e-6, 1e-3, 0.05, 0.999 * TypeParam::logarithm_reach}) {
       const auto b = isotropic(1.0) + size * direction;
 
-      const auto strain = half_logarithm_of(b);
+      const auto strain = half_logarithm_of<TypeParam>(b);
 
       const auto expected = summed(b - isotropic(1.0), 60, [](int k) {  // left: 1/4^61
         return (k % 2 == 1 ? 0.5L : -0.5L) / k;
@@ -87,24 +123,35 @@ TEST(HalfLogarithm, IsItsPowerSeriesToRoundOffOfTheStrain) {  // Eq. (R183)
   }
 }
 
-TEST(HalfLogarithm, AgreesWithThatAlongAxesWhereTheSeriesEnds) {
-  for (const auto& direction : directions()) {
-    const auto inside = isotropic(1.0) + (logarithm_reach * (1 - 1e-15)) * direction;
-    const auto outside = isotropic(1.0) + (logarithm_reach * (1 + 1e-15)) * direction;
+TYPED_TEST(HalfLogarithm, AgreesWithThatAlongAxesWhereTheSeriesEnds) {
+  constexpr double reach = TypeParam::logarithm_reach;
+  for (const auto& direction : directions<TypeParam>()) {
+    for (const double size : {reach * (1 - 1e-15), reach * (1 + 1e-15)}) {
+      const auto b = isotropic(1.0) + size * direction;
 
-    EXPECT_EQ(half_logarithm_of(outside).components, half_logarithm_by_axes(outside).components);
-    // Of eigenvalues, then their logarithms, half as much over 0.75; composed again.
-    const double tolerance = by_axes_tolerance * (0.5 * 1.25 / 0.75 + 0.15) + logarithm_tolerance;
-    EXPECT_LE(largest(half_logarithm_of(inside) - half_logarithm_by_axes(inside)), tolerance);
+      const auto strain = half_logarithm_of<TypeParam>(b);
+
+      // Of eigenvalues, then their logarithms, half as much over 0.75; composed again.
+      const double tolerance = by_axes_tolerance * (0.5 * 1.25 / 0.75 + 0.15) + logarithm_tolerance;
+      EXPECT_LE(largest(strain - half_logarithm_by_axes(b)), tolerance) << "size " << size;
+    }
   }
 }
 
-TEST(Exponential, IsItsPowerSeriesToRoundOff) {  // Eq. (R183)
-  for (const auto& direction : directions()) {
+TEST(HalfLogarithmOfThreeDimensions, IsThatAlongAxesBeyondTheSeries) {
+  for (const auto& direction : directions<Full>()) {
+    const auto b = isotropic(1.0) + (Full::logarithm_reach * (1 + 1e-15)) * direction;
+
+    EXPECT_EQ(half_logarithm_of<Full>(b).components, half_logarithm_by_axes(b).components);
+  }
+}
+
+TYPED_TEST(Exponential, IsItsPowerSeriesToRoundOff) {  // Eqs. (R183), (R186)
+  for (const auto& direction : directions<TypeParam>()) {
     for (const double size : {0.0, 1e-12, 1e-3, 0.1, 0.999 * exponential_reach, 1.0, 5.0}) {
       const auto a = size * direction;
 
-      const auto stretch = exponential_of(a);
+      const auto stretch = exponential_of<TypeParam>(a);
 
       long double factorial = 1;
       const auto expected = isotropic(1.0) + summed(a, 60, [&](int k) { return 1 / (factorial *= k); });
@@ -115,17 +162,18 @@ TEST(Exponential, IsItsPowerSeriesToRoundOff) {  // Eq. (R183)
   }
 }
 
-TEST(Exponential, IsTheInverseOfTheLogarithm) {
-  for (const auto& direction : directions()) {
+TYPED_TEST(Exponential, IsTheInverseOfTheLogarithm) {
+  for (const auto& direction : directions<TypeParam>()) {
     for (const double size : {1e-9, 1e-3, 0.2, 0.4, 0.9}) {
       const auto b = isotropic(1.0) + size * direction;
 
-      const auto again = exponential_of(2.0 * half_logarithm_of(b));
+      const auto again = exponential_of<TypeParam>(2.0 * half_logarithm_of<TypeParam>(b));
 
       // Along axes: of eigenvalues, in the logarithm over the smallest, and of that composed again.
       const double of_logarithm =
-          size < logarithm_reach ? logarithm_tolerance * size
-                                 : by_axes_tolerance * ((1 + size) / (1 - size) - std::log(1 - size)) / 2;
+          size < TypeParam::logarithm_reach
+              ? logarithm_tolerance * size
+              : by_axes_tolerance * ((1 + size) / (1 - size) - std::log(1 - size)) / 2;
       const double of_exponential =
           exponential_tolerance * std::max(1.0, -2 * std::log(1 - size) / exponential_reach);
       EXPECT_LE(largest(again - b), (2 * of_logarithm + of_exponential) * (1 + size)) << "size " << size;
@@ -133,21 +181,22 @@ TEST(Exponential, IsTheInverseOfTheLogarithm) {
   }
 }
 
-TEST(Exponential, EndsWhereThereIsNoNumber) {
+TYPED_TEST(Exponential, EndsWhereThereIsNoNumber) {
   for (const double size : {std::nan(""), std::numeric_limits<double>::infinity(), 1e200}) {
-    EXPECT_FALSE(std::isfinite(exponential_of(isotropic(size))(0, 0))) << size;
+    EXPECT_FALSE(std::isfinite(exponential_of<TypeParam>(isotropic(size))(0, 0))) << size;
   }
 }
 
 /// Neither a negative eigenvalue, nor what is no number or out of range, is near 1.
-TEST(HalfLogarithm, IsNoNumberWhereThereIsNone) {
+TYPED_TEST(HalfLogarithm, IsNoNumberWhereThereIsNone) {
   for (const double spoilt : {-0.5, std::nan(""), -1e200}) {
     Tensor<double> b = isotropic(1.0);
     b(1, 1) = spoilt;
-    EXPECT_TRUE(std::isnan(half_logarithm_of(b)(1, 1))) << spoilt;
+    EXPECT_TRUE(std::isnan(half_logarithm_of<TypeParam>(b)(1, 1))) << spoilt;
   }
+  EXPECT_TRUE(std::isnan(half_logarithm_of<TypeParam>(isotropic(-1.0))(1, 1)));
   // Its cofactors are too large for numbers.
-  EXPECT_NEAR(half_logarithm_of(isotropic(1e150))(0, 0), 75 * std::log(10.0),
+  EXPECT_NEAR(half_logarithm_of<TypeParam>(isotropic(1e150))(0, 0), 75 * std::log(10.0),
               75 * std::log(10.0) * 4 * round_off);
 }
 
@@ -157,7 +206,7 @@ class SlopeOfTheHalfLogarithm : public ::testing::TestWithParam<double> {
  protected:
   const Tensor<double> b = symmetric_part(rotated({{1 - GetParam(), 0, 0, 0, 1, 0, 0, 0, 1 + GetParam()}}));
   /// A product of dual numbers is three for one, and an axis turns by what is next to it over the gap.
-  const double tolerance = GetParam() < logarithm_reach / 2
+  const double tolerance = GetParam() < Full::logarithm_reach / 2
                                ? 3 * logarithm_tolerance
                                : 3 * by_axes_tolerance * (1 + GetParam()) / (GetParam() * GetParam());
 
@@ -180,7 +229,7 @@ TEST_P(SlopeOfTheHalfLogarithm, IsThatOfANumberWhereAxesStay) {
 }
 
 TEST_P(SlopeOfTheHalfLogarithm, TurnsWithTheAxes) {
-  const auto strain = half_logarithm_of(b);
+  const auto strain = half_logarithm_of<Full>(b);
   for (const auto& gradient : velocity_gradients()) {
     const auto spin = skew_part(gradient);
     const auto turned = [&](const Tensor<double>& a) { return product(spin, a) - product(a, spin); };

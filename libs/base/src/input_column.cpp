@@ -14,7 +14,9 @@ void require_in_range(std::string_view law, const InputColumn& column, double va
   message << "the law '" << law << "' reads " << column.name << " = " << value;
   if (column.unit != "-") message << ' ' << column.unit;
   if (!of_whom.empty()) message << " of " << of_whom;
-  if (std::isfinite(range.upper)) {
+  if (range.lower == range.upper) {
+    message << ": must be " << range.lower;
+  } else if (std::isfinite(range.upper)) {
     message << ": must lie in " << (range.is_open ? '(' : '[') << range.lower << ", " << range.upper
             << (range.is_open ? ')' : ']');
   } else if (!std::isfinite(range.lower)) {

@@ -68,4 +68,19 @@ concept ConstitutiveLaw = std::is_trivially_copyable_v<Law> &&
   noexcept->std::same_as<Stiffness<double>>;
 };
 
+/// A law with a form for plane flow that is faster, where components of its memory are and stay 0: it updates
+/// a `PlaneState` too, an aggregate of the others, and `plane_states` says which of the `states` they are.
+/// The rest are neither read nor written then.
+template <class Law>
+concept HasPlaneForm = ConstitutiveLaw<Law> &&
+    requires(const Law law, const Deformation<double>& deformation,
+             const typename Law::template Input<double>& input,
+             const typename Law::template PlaneState<double>& state, double dt) {
+  { Law::plane_states.size() } -> std::convertible_to<std::size_t>;
+  { law.update(deformation, input, state, dt) }
+  noexcept->std::same_as<Response<double, typename Law::template PlaneState<double>>>;
+  { law.stiffness(deformation, input, state) }
+  noexcept->std::same_as<Stiffness<double>>;
+};
+
 }  // namespace scree

@@ -31,6 +31,17 @@ struct LawBlock {
   std::array<double*, 9> stress{};                   ///< row by row [Pa]; null: not wanted
 };
 
+/// The places in a tensor, row by row, of xz, yz, zx and zy.
+inline constexpr std::array<std::size_t, 4> out_of_plane{2, 5, 6, 7};
+
+/// Whether nothing flows along z, nor changes along it but by stretching: the gradients that a run in a
+/// plane, of axial symmetry or in a column lacks read `pack_of_zeros`.
+template <class Law>
+[[nodiscard]] bool is_plane(const LawBlock<Law>& block) noexcept {
+  return std::ranges::all_of(out_of_plane,
+                             [&](std::size_t i) { return block.velocity_gradient[i].step == 0; });
+}
+
 /// The largest speed, viscosity and rate met in a block: what bounds the next step; and what its law could
 /// not solve.
 struct BlockStiffness {

@@ -2,6 +2,7 @@
 
 #include <scree/law_block.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -82,36 +83,53 @@ struct LaneMaxima {
   }
 };
 
+/// Brings the points of a block up to date, whose memory is in `states`.
+template <class Real, class State, class Law, std::size_t N>
+BlockStiffness update_points(const Law& law, const LawBlock<Law>& block, const std::array<double*, N>& states,
+                             double dt) noexcept {
+  using Input = typename Law::template Input<Real>;
+  static_assert(pack_size % num_lanes<Real> == 0);
+  const Law parameters = law;  // a copy, which the columns that are written cannot be part of
+  LaneMaxima<Real> worst;
+  for (Index p = 0; p < block.num_points; p += static_cast<Index>(num_lanes<Real>)) {
+    Deformation<Real> deformation{};
+    for (std::size_t i = 0; i < 9; ++i) {
+      const BlockColumn& column = block.velocity_gradient[i];
+      deformation.velocity_gradient.components[i] = loaded<Real>(column.values + column.step * p);
+    }
+    deformation.density = loaded<Real>(block.density + p);
+    const auto input = loaded_from<Input, Real>(block.inputs, p);
+    const auto old = loaded_from<State, Real>(states, p);
+    const auto response = parameters.update(deformation, input, old, Real(dt));
+    worst.widen(parameters.stiffness(deformation, input, response.state), deformation.density,
+                response.unsolved, p);
+    store_members<Real>(response.state, states, p);
+    store_members<Real>(response.stress.components, block.stress, p);
+  }
+  return worst.reduced();
+}
+
 }  // namespace detail
 
 /// Brings the points of a block up to date, as many at once as Real has lanes: what a kernel is made of, and
 /// what runs a law that has none. Each point gets the bits that it would get alone, for one instruction set
-/// and contraction of products and sums.
+/// and contraction of products and sums. A block in plane flow is run by the law's form for that, if it has
+/// one.
 /// @tparam Real double, or a pack of up to `pack_size` doubles (std::experimental::simd)
 /// @see BlockKernel
 template <class Real, class Law>
 [[gnu::flatten]] BlockStiffness update_block(const Law& law, const LawBlock<Law>& block, double dt) noexcept {
-  using Input = typename Law::template Input<Real>;
-  using State = typename Law::template State<Real>;
-  static_assert(pack_size % detail::num_lanes<Real> == 0);
-  const Law parameters = law;  // a copy, which the columns that are written cannot be part of
-  detail::LaneMaxima<Real> worst;
-  for (Index p = 0; p < block.num_points; p += static_cast<Index>(detail::num_lanes<Real>)) {
-    Deformation<Real> deformation{};
-    for (std::size_t i = 0; i < 9; ++i) {
-      const BlockColumn& column = block.velocity_gradient[i];
-      deformation.velocity_gradient.components[i] = detail::loaded<Real>(column.values + column.step * p);
+  if constexpr (HasPlaneForm<Law>) {
+    if (is_plane(block)) {
+      using State = typename Law::template PlaneState<Real>;
+      std::array<double*, Law::plane_states.size()> states;
+      const auto column = [&](std::size_t i) { return block.states[i]; };
+      std::ranges::transform(Law::plane_states, states.begin(), column);
+      return detail::update_points<Real, State>(law, block, states, dt);
     }
-    deformation.density = detail::loaded<Real>(block.density + p);
-    const auto input = detail::loaded_from<Input, Real>(block.inputs, p);
-    const auto old = detail::loaded_from<State, Real>(block.states, p);
-    const auto response = parameters.update(deformation, input, old, Real(dt));
-    worst.widen(parameters.stiffness(deformation, input, response.state), deformation.density,
-                response.unsolved, p);
-    detail::store_members<Real>(response.state, block.states, p);
-    detail::store_members<Real>(response.stress.components, block.stress, p);
   }
-  return worst.reduced();
+  using State = typename Law::template State<Real>;
+  return detail::update_points<Real, State>(law, block, block.states, dt);
 }
 
 /// A law's own kernel for an instruction set: `block_kernel(law, set)`, a function beside the law that

@@ -14,7 +14,9 @@
 namespace scree::rheology {
 
 /// Any number of points under one law, a column of one number per point for everything. Components that a
-/// flow does not have may share a column of zeros; no column that is written overlaps another.
+/// flow does not have may share a column of zeros; no column that is written overlaps another. In a plane, or
+/// of axial symmetry, the gradients xz, yz, zx and zy are left empty, and so may be the stresses xz and yz:
+/// then a law runs by its form for that, if it has one.
 template <class Law>
 struct LawColumns {
   std::array<std::span<const double>, 9> velocity_gradient{};        ///< L, row by row [1/s]
@@ -41,15 +43,31 @@ void require_step(std::string_view law, double dt);
 /// @throws InputError naming law, column, value, point and range, unless all values are in the range.
 void require_values(std::string_view law, const InputColumn& column, std::span<const double> values);
 
+/// Whether a batch is of a flow in a plane.
+template <class Law>
+[[nodiscard]] bool is_plane(const LawColumns<Law>& columns) noexcept {
+  return std::ranges::all_of(out_of_plane,
+                             [&](std::size_t i) { return columns.velocity_gradient[i].empty(); });
+}
+
 template <class Law>
 void require_equal_lengths(const LawColumns<Law>& columns) {
+  const bool is_in_plane = is_plane(columns);
   const auto require = [&](std::string_view name, std::size_t length) {
     require_length(Law::name, name, length, columns.density.size());
   };
-  for (std::size_t i = 0; i < 9; ++i) require(names_of_gradient[i], columns.velocity_gradient[i].size());
+  const auto may_be_absent = [&](std::size_t place) {
+    return is_in_plane && std::ranges::find(out_of_plane, place) != out_of_plane.end();
+  };
+  for (std::size_t i = 0; i < 9; ++i) {
+    if (!may_be_absent(i)) require(names_of_gradient[i], columns.velocity_gradient[i].size());
+  }
   for (std::size_t i = 0; i < Law::inputs.size(); ++i) require(Law::inputs[i].name, columns.inputs[i].size());
   for (std::size_t i = 0; i < Law::states.size(); ++i) require(Law::states[i].name, columns.states[i].size());
-  for (std::size_t i = 0; i < 6; ++i) require(names_of_stress[i], columns.stress[i].size());
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (columns.stress[i].empty() && may_be_absent(places_of_stress[i])) continue;
+    require(names_of_stress[i], columns.stress[i].size());
+  }
 }
 
 /// The points that make whole packs, where they are.
@@ -58,13 +76,17 @@ template <class Law>
   LawBlock<Law> block;
   block.num_points = static_cast<Index>(columns.density.size()) / pack_size * pack_size;
   for (std::size_t i = 0; i < 9; ++i) {
-    block.velocity_gradient[i] = {columns.velocity_gradient[i].data(), 1};
+    if (!columns.velocity_gradient[i].empty()) {
+      block.velocity_gradient[i] = {columns.velocity_gradient[i].data(), 1};
+    }
   }
   block.density = columns.density.data();
   const auto start = [](const auto& column) { return column.data(); };
   std::ranges::transform(columns.inputs, block.inputs.begin(), start);
   std::ranges::transform(columns.states, block.states.begin(), start);
-  for (std::size_t i = 0; i < 6; ++i) block.stress[places_of_stress[i]] = columns.stress[i].data();
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (!columns.stress[i].empty()) block.stress[places_of_stress[i]] = columns.stress[i].data();
+  }
   return block;
 }
 
@@ -86,7 +108,9 @@ template <class Law>
   LawBlock<Law> block;
   block.num_points = pack_size;
   for (std::size_t i = 0; i < 9; ++i) {
-    block.velocity_gradient[i] = {filled(columns.velocity_gradient[i]), 1};
+    if (!columns.velocity_gradient[i].empty()) {
+      block.velocity_gradient[i] = {filled(columns.velocity_gradient[i]), 1};
+    }
   }
   block.density = filled(columns.density);
   std::ranges::transform(columns.inputs, block.inputs.begin(), filled);
@@ -96,7 +120,7 @@ template <class Law>
   const BlockStiffness worst = kernel(law, block, dt);
 
   const auto put_back = [&](const double* pack, std::span<double> column) {
-    std::copy_n(pack, column.size() - first, column.subspan(first).begin());
+    if (!column.empty()) std::copy_n(pack, column.size() - first, column.subspan(first).begin());
   };
   for (std::size_t i = 0; i < Law::states.size(); ++i) put_back(block.states[i], columns.states[i]);
   for (std::size_t i = 0; i < 6; ++i) put_back(block.stress[places_of_stress[i]], columns.stress[i]);

@@ -3,6 +3,7 @@
 #include <scree/rheology/eigen_symmetric.hpp>
 #include <scree/rheology/elementary.hpp>
 #include <scree/rheology/kinematics.hpp>
+#include <scree/rheology/plane_functions.hpp>
 #include <scree/rheology/tensor_functions.hpp>
 
 #include <array>
@@ -35,16 +36,16 @@ template <class Real>
 }
 
 /// dev(ln b)/2 of a left Cauchy-Green tensor b, for a law that needs none of its axes.  Eq. (R23)
-template <class Real>
-[[nodiscard]] Symmetric<Real> hencky_strain(const Symmetric<Real>& b) noexcept {
-  const Symmetric<Real> half = half_logarithm(b);
-  const Real mean = (half.xx + half.yy + half.zz) * (1.0 / 3.0);
-  return {half.xx - mean, half.yy - mean, half.zz - mean, half.xy, half.xz, half.yz};
+/// @tparam Form Symmetric, or PlaneSymmetric
+template <class Real, template <class> class Form>
+[[nodiscard]] Form<Real> hencky_strain(const Form<Real>& b) noexcept {
+  return deviator(half_logarithm(b));
 }
 
 /// b = exp(2 strain).  Eq. (R23)
-template <class Real>
-[[nodiscard]] Symmetric<Real> left_cauchy_green(const Symmetric<Real>& strain) noexcept {
+/// @tparam Form Symmetric, or PlaneSymmetric
+template <class Real, template <class> class Form>
+[[nodiscard]] Form<Real> left_cauchy_green(const Form<Real>& strain) noexcept {
   return exponential(Real(2.0) * strain);
 }
 

@@ -27,6 +27,13 @@ template <class Real>
   return {a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(0, 2), a(1, 2)};
 }
 
+/// a - tr(a)/3 1.
+template <class Real>
+[[nodiscard]] constexpr Symmetric<Real> deviator(const Symmetric<Real>& a) noexcept {
+  const Real mean = (a.xx + a.yy + a.zz) * (1.0 / 3.0);
+  return {a.xx - mean, a.yy - mean, a.zz - mean, a.xy, a.xz, a.yz};
+}
+
 /// D', the rate of deformation at constant volume, of a velocity gradient.
 template <class Real>
 [[nodiscard]] constexpr Symmetric<Real> deviatoric_rate(const Tensor<Real>& gradient) noexcept {
@@ -139,6 +146,14 @@ template <class Real>
   const Real determinant = m(0, 0) * cofactor(0, 0) + m(0, 1) * cofactor(1, 0) + m(0, 2) * cofactor(2, 0);
   // (1 - A/2)^-1 (1 + A/2) = 2 (1 - A/2)^-1 - 1
   return (2.0 / determinant) * cofactor - isotropic(Real(1.0));
+}
+
+/// A symmetric tensor carried along by a velocity gradient over a step, f a f^T with the f of
+/// `midpoint_increment`.  Eq. (R18)
+template <class Real>
+[[nodiscard]] constexpr Symmetric<Real> carried(const Symmetric<Real>& a, const Tensor<Real>& gradient,
+                                                const Real& dt) noexcept {
+  return symmetric(carried_by(midpoint_increment(dt * gradient), a.tensor()));
 }
 
 }  // namespace scree::rheology

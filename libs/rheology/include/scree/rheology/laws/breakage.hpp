@@ -32,14 +32,16 @@ struct Breakage {
   template <class Real>
   struct Input {};
   static constexpr std::array<InputColumn, 0> inputs{};
-  template <class Real>
-  struct State {
-    Real xx, yy, zz, xy, xz, yz;  ///< of b, the elastic left Cauchy-Green tensor, of determinant 1 [-]
-    Real compaction;              ///< ln(density/rho_0) at which the pressure vanishes [-]
-    Real breakage;                ///< B [-]
-
-    [[nodiscard]] constexpr Symmetric<Real> stretch() const noexcept { return {xx, yy, zz, xy, xz, yz}; }
+  template <class Real, template <class> class Form>
+  struct Memory {
+    Form<Real> stretch;  ///< b, elastic left Cauchy-Green tensor, of determinant 1 [-]
+    Real compaction;     ///< ln(density/rho_0) at which the pressure vanishes [-]
+    Real breakage;       ///< B [-]
   };
+  template <class Real>
+  using State = Memory<Real, Symmetric>;
+  template <class Real>
+  using PlaneState = Memory<Real, PlaneSymmetric>;
   static constexpr std::array<StateColumn, 8> states{
       {{"elastic_stretch_xx", "-", 1},
        {"elastic_stretch_yy", "-", 1},
@@ -49,6 +51,7 @@ struct Breakage {
        {"elastic_stretch_yz", "-"},
        {"compaction", "-", 0, Interval{.upper = 1, .is_open = false}},
        {"breakage", "-", 0, Interval{.upper = 1}}}};
+  static constexpr std::array<std::size_t, 6> plane_states{0, 1, 2, 3, 6, 7};
 
   double bulk_modulus;           ///< K of unbroken grains [Pa]
   double shear_modulus;          ///< G of unbroken grains [Pa]
@@ -79,17 +82,17 @@ struct Breakage {
   }
 
   /// Cauchy stress [Pa], elastic strain, compaction and breakage at the end of the step.
-  template <class Real>
-  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
-                                                   const Input<Real>& /*input*/, const State<Real>& old,
-                                                   Real dt) const noexcept {
+  template <class Real, template <class> class Form>
+  [[nodiscard]] Response<Real, Memory<Real, Form>> update(const Deformation<Real>& deformation,
+                                                          const Input<Real>& /*input*/,
+                                                          const Memory<Real, Form>& old,
+                                                          Real dt) const noexcept {
     using std::sqrt;
     const double strain_unit = crushing_pressure() / bulk_modulus;
     const double shape_unit = strain_unit * std::sqrt(bulk_modulus / (3 * shear_modulus));
     const Real compression = deformation.density * (1 / density);  // 1/J
     const Real total = elementary::log(compression);
-    const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
-    const Symmetric<Real> strain = hencky_strain(symmetric(carried_by(f, old.stretch().tensor())));
+    const Form<Real> strain = hencky_strain(carried(old.stretch, deformation.velocity_gradient, dt));
     const Real size = sqrt((2.0 / 3) * squared_norm(strain));
     const BreakageState<Real> trial{(total - old.compaction) * (1 / strain_unit), size * (1 / shape_unit),
                                     old.breakage};
@@ -97,21 +100,19 @@ struct Breakage {
     const Real is_connected = select(trial.volume <= 0.0, Real(0.0), Real(1.0));
     const Real kept = is_connected * select(trial.shape == 0.0, Real(1.0), end.shape / trial.shape);
     const Real softened = is_connected * compression * (1.0 - grading * end.breakage);
-    const Symmetric<Real> elastic = kept * strain;
-    const Symmetric<Real> shear = (softened * (2 * shear_modulus)) * elastic;
+    const Form<Real> elastic = kept * strain;
+    const Form<Real> shear = (softened * (2 * shear_modulus)) * elastic;
     const Real p = softened * (bulk_modulus * strain_unit) * end.volume;
     const Real compaction = old.compaction + (trial.volume - end.volume) * strain_unit;
-    const Symmetric<Real> b = left_cauchy_green(elastic);
-    return {shear.tensor() - isotropic(p),
-            {b.xx, b.yy, b.zz, b.xy, b.xz, b.yz, compaction, end.breakage},
-            end.unsolved};
+    return {
+        shear.tensor() - isotropic(p), {left_cauchy_green(elastic), compaction, end.breakage}, end.unsolved};
   }
 
   /// Speed of pressure waves [m/s] of the elastic material, as broken as it is, and no viscosity.  Eq. (R21)
-  template <class Real>
+  template <class Real, template <class> class Form>
   [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& /*deformation*/,
                                           const Input<Real>& /*input*/,
-                                          const State<Real>& state) const noexcept {
+                                          const Memory<Real, Form>& state) const noexcept {
     const Real softened = 1.0 - grading * state.breakage;
     return {wave_speed(Real(density), Real(softened * (bulk_modulus + 4 * shear_modulus / 3))), Real(0.0)};
   }
@@ -129,6 +130,6 @@ struct Breakage {
             select(flows, plastic.breakage, trial.breakage), select(flows, plastic.unsolved, Real(0.0))};
   }
 };
-static_assert(DescribedLaw<Breakage>);
+static_assert(DescribedLaw<Breakage> && HasPlaneForm<Breakage>);
 
 }  // namespace scree::rheology

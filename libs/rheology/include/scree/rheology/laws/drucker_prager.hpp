@@ -31,12 +31,15 @@ struct DruckerPrager {
   static constexpr std::array<InputColumn, 0> inputs{};
   template <class Real>
   using State = Symmetric<Real>;  ///< b, elastic left Cauchy-Green tensor, of determinant 1 [-]
+  template <class Real>
+  using PlaneState = PlaneSymmetric<Real>;
   static constexpr std::array<StateColumn, 6> states{{{"elastic_stretch_xx", "-", 1},
                                                       {"elastic_stretch_yy", "-", 1},
                                                       {"elastic_stretch_zz", "-", 1},
                                                       {"elastic_stretch_xy", "-"},
                                                       {"elastic_stretch_xz", "-"},
                                                       {"elastic_stretch_yz", "-"}}};
+  static constexpr std::array<std::size_t, 4> plane_states{0, 1, 2, 3};
 
   double friction;       ///< shear stress per pressure at yield [-], Eq. (R25)
   double shear_modulus;  ///< G [Pa]
@@ -57,32 +60,31 @@ struct DruckerPrager {
   [[nodiscard]] constexpr double yield_friction() const noexcept { return friction; }
 
   /// Cauchy stress [Pa] and elastic strain at the end of the step.
-  template <class Real>
-  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
-                                                   const Input<Real>& /*input*/, const State<Real>& old,
-                                                   Real dt) const noexcept {
+  template <class Real, template <class> class Form>
+  [[nodiscard]] Response<Real, Form<Real>> update(const Deformation<Real>& deformation,
+                                                  const Input<Real>& /*input*/, const Form<Real>& old,
+                                                  Real dt) const noexcept {
     using std::sqrt;
     const Real compression = deformation.density * (1 / density);  // 1/J
     const Real p = bulk_modulus * elementary::log(compression);    // J times that of Cauchy
     const Real is_connected = select(p < 0.0, Real(0.0), Real(1.0));
-    const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
-    const Symmetric<Real> trial = hencky_strain(symmetric(carried_by(f, old.tensor())));
+    const Form<Real> trial = hencky_strain(carried(old, deformation.velocity_gradient, dt));
     const Real tau_trial = shear_modulus * sqrt(2.0 * squared_norm(trial));
     const Real strength = friction * contact_pressure(p);
     const Real kept = is_connected * select(tau_trial <= strength, Real(1.0), strength / tau_trial);
-    const Symmetric<Real> strain = kept * trial;
-    const Symmetric<Real> shear = (2.0 * shear_modulus * compression) * strain;
+    const Form<Real> strain = kept * trial;
+    const Form<Real> shear = (2.0 * shear_modulus * compression) * strain;
     return {shear.tensor() - isotropic<Real>(is_connected * compression * p), left_cauchy_green(strain)};
   }
 
   /// Speed of pressure waves [m/s] of the unloaded material, and no viscosity.  Eq. (R21)
-  template <class Real>
+  template <class Real, template <class> class Form>
   [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& /*deformation*/,
                                           const Input<Real>& /*input*/,
-                                          const State<Real>& /*state*/) const noexcept {
+                                          const Form<Real>& /*state*/) const noexcept {
     return {wave_speed(density, bulk_modulus + 4 * shear_modulus / 3), 0};
   }
 };
-static_assert(DescribedLaw<DruckerPrager> && HasYieldFriction<DruckerPrager>);
+static_assert(DescribedLaw<DruckerPrager> && HasPlaneForm<DruckerPrager> && HasYieldFriction<DruckerPrager>);
 
 }  // namespace scree::rheology

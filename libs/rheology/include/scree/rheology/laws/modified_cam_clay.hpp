@@ -32,11 +32,15 @@ struct ModifiedCamClay {
   template <class Real>
   struct Input {};
   static constexpr std::array<InputColumn, 0> inputs{};
-  template <class Real>
-  struct State {
-    Real xx, yy, zz, xy, xz, yz;  ///< b, elastic left Cauchy-Green tensor, of determinant 1 [-]
-    Real preconsolidation;        ///< p_c over `preconsolidation_pressure` [-]
+  template <class Real, template <class> class Form>
+  struct Memory {
+    Form<Real> stretch;     ///< b, elastic left Cauchy-Green tensor, of determinant 1 [-]
+    Real preconsolidation;  ///< p_c over `preconsolidation_pressure` [-]
   };
+  template <class Real>
+  using State = Memory<Real, Symmetric>;
+  template <class Real>
+  using PlaneState = Memory<Real, PlaneSymmetric>;
   static constexpr std::array<StateColumn, 7> states{{{"elastic_stretch_xx", "-", 1},
                                                       {"elastic_stretch_yy", "-", 1},
                                                       {"elastic_stretch_zz", "-", 1},
@@ -44,6 +48,7 @@ struct ModifiedCamClay {
                                                       {"elastic_stretch_xz", "-"},
                                                       {"elastic_stretch_yz", "-"},
                                                       {"preconsolidation", "-", 1, Interval{}}}};
+  static constexpr std::array<std::size_t, 5> plane_states{0, 1, 2, 3, 6};
 
   double critical_ratio;             ///< M, q/p in the critical state [-]
   double lambda;                     ///< ln(volume) per ln(pressure) in normal compression [-]
@@ -79,15 +84,14 @@ struct ModifiedCamClay {
   }};
 
   /// Cauchy stress [Pa], elastic strain and preconsolidation at the end of the step.
-  template <class Real>
-  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
-                                                   const Input<Real>& /*input*/, const State<Real>& old,
-                                                   Real dt) const noexcept {
+  template <class Real, template <class> class Form>
+  [[nodiscard]] Response<Real, Memory<Real, Form>> update(const Deformation<Real>& deformation,
+                                                          const Input<Real>& /*input*/,
+                                                          const Memory<Real, Form>& old,
+                                                          Real dt) const noexcept {
     using std::sqrt;
     const Real compression = deformation.density * (1 / density);  // 1/J
-    const Symmetric<Real> b{old.xx, old.yy, old.zz, old.xy, old.xz, old.yz};
-    const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
-    const Symmetric<Real> trial = hencky_strain(symmetric(carried_by(f, b.tensor())));
+    const Form<Real> trial = hencky_strain(carried(old.stretch, deformation.velocity_gradient, dt));
     const Real G = shear_modulus * compression;
     const Real q_trial = G * sqrt(6.0 * squared_norm(trial));
     const Real p_c = preconsolidation_pressure * old.preconsolidation;
@@ -104,17 +108,16 @@ struct ModifiedCamClay {
     const Real kept = is_connected * select(yields, share, Real(1.0));
     const Real hardening = elementary::exp((kappa / lambda) * (flowing.u - u_trial));
     const Real preconsolidation = old.preconsolidation * select(yields, hardening, Real(1.0));
-    const Symmetric<Real> strain = kept * trial;
-    const Symmetric<Real> s = left_cauchy_green(strain);
+    const Form<Real> strain = kept * trial;
     return {((2.0 * G) * strain).tensor() - isotropic(p),
-            {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, preconsolidation},
+            {left_cauchy_green(strain), preconsolidation},
             select(yields, flowing.unsolved, Real(0.0))};
   }
 
   /// Speed of pressure waves [m/s], of the elastic material at its pressure.  Eq. (R62)
-  template <class Real>
+  template <class Real, template <class> class Form>
   [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& deformation, const Input<Real>& /*input*/,
-                                          const State<Real>& state) const noexcept {
+                                          const Memory<Real, Form>& state) const noexcept {
     const Real compression = deformation.density * (1 / density);
     const Real u = overconsolidation(compression, state.preconsolidation);
     const Real p_c = preconsolidation_pressure * state.preconsolidation;
@@ -138,6 +141,6 @@ struct ModifiedCamClay {
     return -std::log(least_pressure);
   }
 };
-static_assert(DescribedLaw<ModifiedCamClay>);
+static_assert(DescribedLaw<ModifiedCamClay> && HasPlaneForm<ModifiedCamClay>);
 
 }  // namespace scree::rheology
