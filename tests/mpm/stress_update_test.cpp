@@ -145,11 +145,12 @@ TEST(StressUpdate, NamesThePointWhoseMemoryIsNotThatOfAPlane) {
   const StressUpdateBy<2, 2, Counting> update{{}, sheared.particles};
   const std::size_t column = sheared.particles.find_column("steps_along_z", "the test");
   sheared.particles.column(column).component(0)[3] = 2;
+  sheared.particles.id.component(0)[3] = 12;
 
   const auto complaint = message_of<InputError>([&] { update.require_inputs(sheared.particles); });
 
   EXPECT_EQ(complaint,
-            "the law 'counting' reads steps_along_z = 2 of material point 3 at (0, 0) m: must be 0");
+            "the law 'counting' reads steps_along_z = 2 of material point 12 at (0, 0) m: must be 0");
 }
 
 TEST(StressUpdate, NamesTheColumnThatALawMisses) {
