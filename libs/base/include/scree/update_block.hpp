@@ -23,7 +23,9 @@ template <class Real>
   return result;
 }
 
-/// An aggregate of Real, a member from each column.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmissing-braces"  // a member may be an aggregate itself
+/// An aggregate of Real, a number from each column.
 template <class Aggregate, class Real, class Pointer, std::size_t N>
 [[nodiscard]] Aggregate loaded_from(const std::array<Pointer, N>& columns, Index p) noexcept {
   return [&]<std::size_t... I>(std::index_sequence<I...>) {
@@ -31,6 +33,7 @@ template <class Aggregate, class Real, class Pointer, std::size_t N>
   }
   (std::make_index_sequence<N>{});
 }
+#pragma GCC diagnostic pop
 
 /// Stores each member of an aggregate of Real in its column, if there is one: member by member, for a copy of
 /// all at once, or a loop over them, would go through memory.

@@ -10,6 +10,8 @@
 
 namespace scree::rheology {
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmissing-braces"  // a member may be an aggregate itself
 /// An aggregate of numbers (a law's Input or State), each made from the column that describes it.
 /// @param columns the law's `inputs` or `states`  @param number_of from a column to its value, in its unit
 template <class Aggregate, class Columns, class NumberOf>
@@ -23,6 +25,7 @@ template <class Aggregate, class Columns, class NumberOf>
     (std::make_index_sequence<std::tuple_size_v<Columns>>{});
   }
 }
+#pragma GCC diagnostic pop
 
 /// A law's memory of material that has not been deformed yet.
 template <class Law, class Real = double>
