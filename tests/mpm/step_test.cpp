@@ -1,5 +1,6 @@
 #include "bodies.hpp"
 #include "messages.hpp"
+#include "same_bits.hpp"
 #include "schemes.hpp"
 
 #include <scree/mpm/cell_sort.hpp>
@@ -94,19 +95,6 @@ struct StirredUnder {
 struct Stirred : StirredUnder<2> {
   Stirred() : StirredUnder{{Quadratic{}, Apic{}}, 4000} {}
 };
-
-template <int D>
-void expect_same_bits(const Particles<D>& a, const Particles<D>& b) {
-  std::vector<const Column*> columns;
-  b.for_each_column([&](const Column& column) { columns.push_back(&column); });
-  std::size_t next = 0;
-  a.for_each_column([&](const Column& column) {
-    const Column& other = *columns[next++];
-    ASSERT_EQ(column.values().size(), other.values().size());
-    EXPECT_TRUE(std::equal(column.values().begin(), column.values().end(), other.values().begin()))
-        << column.quantity().name;
-  });
-}
 
 TYPED_TEST(EveryStep, GivesTheSameBitsForAnyNumberOfThreads) {
   constexpr int D = TypeParam::value;
