@@ -32,6 +32,22 @@ template <int D>
   }
 }
 
+/// A place between those of two times, or the one at the end that is nearer.
+template <int D>
+[[nodiscard]] Vector<D> place_on(const WayScene& way, double time) {
+  const auto after = std::ranges::upper_bound(way.times, time);
+  const auto next = static_cast<std::size_t>(after - way.times.begin());
+  const bool is_outside = next == 0 || after == way.times.end();
+  const std::size_t last = next == 0 ? 0 : next - 1;
+  const double share = is_outside ? 0 : (time - way.times[last]) / (way.times[next] - way.times[last]);
+  Vector<D> place;
+  for (int axis = 0; axis < D; ++axis) {
+    const auto& places = way.places[static_cast<std::size_t>(axis)];
+    place[axis] = is_outside ? places[last] : places[last] + share * (places[next] - places[last]);
+  }
+  return place;
+}
+
 /// A body that does not move has no functions of time.
 template <int D>
 [[nodiscard]] mpm::RigidMotion<D> motion_of(const BodyScene& body) {
@@ -45,6 +61,9 @@ template <int D>
   motion.axis = Vector<3>{body.axis[0], body.axis[1], body.axis[2]};
   if (velocity.norm() > 0) {
     motion.place = [=](double time) -> Vector<D> { return pivot + moving_time(time) * velocity; };
+  }
+  if (!body.way.times.empty()) {
+    motion.place = [way = body.way](double time) { return place_on<D>(way, time); };
   }
   if (body.angular_velocity != 0) {
     motion.angle = [moving_time, omega = body.angular_velocity](double time) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -142,6 +143,38 @@ void read_turn(const TomlTable& table, BodyScene& body, std::size_t dimensions) 
   for (std::size_t d = 0; d < 3 && length > 0; ++d) body.axis[d] = axis[d] / length;
 }
 
+/// Where the pivot of a body is in time; an axis that is not told stays.
+[[nodiscard]] WayScene read_way(const TomlTable& table, const BodyScene& body) {
+  constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+  constexpr std::string_view meaning = "of the pivot at these times [m]";
+  WayScene way;
+  if (!table.has("times")) {
+    for (std::size_t d = 0; d < body.pivot.size(); ++d)
+      table.check(!table.has(axes[d]), {axes[d]}, "needs the times at which the pivot is there");
+    return way;
+  }
+  way.times = table.numbers("times", "at which the pivot is at the places x, y, z [s]", at_least(0));
+  const std::size_t count = way.times.size();
+  table.check(count >= 2, {"times"}, "must be at least two");
+  table.check(std::ranges::adjacent_find(way.times, std::greater_equal{}) == way.times.end(), {"times"},
+              "must increase");
+  table.check(!table.has("velocity"), {"times", "velocity"}, "stand in place of a velocity: leave one out");
+  bool has_place = false;
+  for (std::size_t d = 0; d < body.pivot.size(); ++d) {
+    way.places.emplace_back(count, body.pivot[d]);
+    if (!table.has(axes[d])) continue;
+    has_place = true;
+    auto places = table.numbers(axes[d], meaning);
+    table.check(places.size() == count, {axes[d], "times"},
+                fmt::format("must be as many as times, which are {}", count));
+    table.check(places.empty() || places[0] == body.pivot[d], {axes[d], "pivot", "times"},
+                fmt::format("must begin at the pivot, {:g}", body.pivot[d]));
+    if (places.size() == count) way.places[d] = std::move(places);
+  }
+  table.check(has_place, {"times"}, "need the places of the pivot along one axis at least");
+  return way;
+}
+
 [[nodiscard]] BodyScene read_body(const TomlTable& table, const Scene& scene, SceneFiles& files) {
   const std::size_t dimensions = dimensions_of(scene);
   BodyScene body;
@@ -149,12 +182,15 @@ void read_turn(const TomlTable& table, BodyScene& body, std::size_t dimensions) 
   body.contact = read_contact(table, scene);
   body.velocity = numbers_or(std::vector<double>(dimensions, 0.0), table, "velocity", "of the body [m/s]");
   read_turn(table, body, dimensions);
+  body.way = read_way(table, body);
   body.start = table.number_or(0, "start", "of the motion [s]", at_least(0));
   body.stop = std::numeric_limits<double>::infinity();
   if (table.has("stop")) body.stop = table.number("stop", "end of the motion [s]", at_least(0));
   body.may_overlap = table.boolean_or(false, "may_overlap", "whether it may begin in ground or in a body");
   table.check(!scene.mesh.is_axisymmetric || body.velocity[0] == 0, {"velocity"},
               "must lie along y: round an axis of symmetry a body does not move away from it");
+  table.check(!scene.mesh.is_axisymmetric || !table.has("x"), {"x"},
+              "must be left out: round an axis of symmetry a body does not move away from it");
   table.check(!scene.mesh.is_axisymmetric || body.angular_velocity == 0, {"angular_velocity"},
               "must be 0: round an axis of symmetry a body does not turn");
   table.check(body.stop >= body.start, {"stop", "start"},

@@ -111,12 +111,19 @@ struct BallScene {
   bool is_hollow = false;      ///< with material inside
 };
 
+/// Where the pivot of a body is at given times: on a straight way between them, at rest before and after.
+struct WayScene {
+  std::vector<double> times;                ///< [s], increasing; none: the body has a velocity instead
+  std::vector<std::vector<double>> places;  ///< along each axis one for each time, the first at the pivot [m]
+};
+
 /// A rigid body, at the start where its surface says. From `start` to `stop` it turns about its pivot, and
 /// the pivot moves.
 struct BodyScene {
   std::variant<BallScene, PlaneScene, TriangleMesh> surface;
   ContactScene contact;
   std::vector<double> velocity;  ///< of the pivot [m/s]
+  WayScene way;                  ///< of the pivot, in place of its velocity
   double angular_velocity = 0;   ///< [rad/s]
   std::vector<double> pivot;     ///< at the start [m]
   std::array<double, 3> axis{};  ///< of the turn, of unit length

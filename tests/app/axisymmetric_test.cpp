@@ -156,6 +156,10 @@ TEST(AxisymmetricScene, KeepsBodiesBodiesOfRevolution) {
       message("angular_velocity = 1\n"),
       "scene.toml:31: [bodies 1] angular_velocity = 1: must be 0: round an axis of symmetry a body does "
       "not turn");
+  EXPECT_EQ(
+      message("times = [0, 1]\nx = [0.0, 0.1]\n"),
+      "scene.toml:32: [bodies 1] x = [0.0, 0.1]: must be left out: round an axis of symmetry a body does not "
+      "move away from it");
 }
 
 }  // namespace

@@ -152,10 +152,9 @@ TEST(BadTerrain, GroundThatDiffersBetweenTheEndsOfAPeriodicAxisIsRefused) {
 }
 
 TEST(BadTerrain, GroundOutsideTheMeshIsRefused) {
-  EXPECT_NE(message_of_block("[terrain]\nsurface = \"plane\"\npoint = [0, -1]\nnormal = [0, 1]\n"
-                             "contact = \"sticks\"\n")
-                .find("reaches no node"),
-            std::string::npos);
+  EXPECT_EQ(message_of_block("[terrain]\nsurface = \"plane\"\npoint = [0, -1]\nnormal = [0, 1]\n"
+                             "contact = \"sticks\"\n"),
+            "bed_nodes: the bed reaches no node of the mesh");
 }
 
 TEST(BadTerrain, NormalWithoutADirectionIsNamed) {
@@ -180,9 +179,34 @@ TEST(BadBody, ValuesAreNamedWithTheirBody) {
   EXPECT_EQ(message_of_block(ball + "speed = 1\n"),
             "scene.toml:29: [bodies 1] speed: unknown key, known here: surface, centre, radius, is_hollow, "
             "contact, "
-            "velocity, angular_velocity, pivot, start, stop, may_overlap");
+            "velocity, angular_velocity, pivot, times, x, y, start, stop, may_overlap");
   EXPECT_EQ(message_of_block(ball + "start = 2\nstop = 1\n"),
             "scene.toml:30: [bodies 1] stop = 1: must not come before start = 2");
+}
+
+TEST(BadBody, WayIsOfAsManyPlacesAsTimesThatIncrease) {
+  const auto message_of_way = [](const std::string& way) { return message_of_block(ball + way); };
+
+  EXPECT_EQ(message_of_way("times = [0, 1]\nx = [0.2, 0.3, 0.2]\n"),
+            "scene.toml:30: [bodies 1] x = [0.2, 0.3, 0.2]: must be as many as times, which are 2");
+  EXPECT_EQ(message_of_way("times = [1, 1]\nx = [0.2, 0.3]\n"),
+            "scene.toml:29: [bodies 1] times = [1, 1]: must increase");
+  EXPECT_EQ(message_of_way("times = [0, nan]\nx = [0.2, 0.3]\n"),
+            "scene.toml:29: [bodies 1] times = [0, nan]: element 2: must be finite (at which the pivot is at "
+            "the places x, y, z [s])");
+  EXPECT_EQ(message_of_way("times = [1]\nx = [0.2]\n"),
+            "scene.toml:29: [bodies 1] times = [1]: must be at least two");
+  EXPECT_EQ(message_of_way("times = [0, 1]\ny = [0.2, 0.3]\n"),
+            "scene.toml:30: [bodies 1] y = [0.2, 0.3]: must begin at the pivot, 0.1");
+}
+
+TEST(BadBody, WayIsToldByTimesAndPlacesInPlaceOfAVelocity) {
+  EXPECT_EQ(message_of_block(ball + "velocity = [1, 0]\ntimes = [0, 1]\nx = [0.2, 0.3]\n"),
+            "scene.toml:30: [bodies 1] times = [0, 1]: stand in place of a velocity: leave one out");
+  EXPECT_EQ(message_of_block(ball + "times = [0, 1]\n"),
+            "scene.toml:29: [bodies 1] times = [0, 1]: need the places of the pivot along one axis at least");
+  EXPECT_EQ(message_of_block(ball + "x = [0.2, 0.3]\n"),
+            "scene.toml:29: [bodies 1] x = [0.2, 0.3]: needs the times at which the pivot is there");
 }
 
 TEST(BadBody, InsideTheMaterialIsRefused) {
@@ -249,7 +273,11 @@ TEST(BadRegion, MaterialInTheGroundIsRefused) {
         read_on_map(tilted_ground, "[material]\nlow = [0.0, 0.0, 0.0]\nhigh = [2.0, 0.5, 1.5]\n"), {1}};
   });
 
-  EXPECT_EQ(message.rfind("the bed cuts the material: material point ", 0), 0U) << message;
+  // The lowest and furthest up the slope: the ground is at 0.5625 m there, 0.520833 m above it, over
+  // sqrt(1.05).
+  EXPECT_EQ(message,
+            "the bed cuts the material: material point 2471 at (1.95833, 0.0416667, 1.45833) m is 0.508281 m "
+            "below it");
 }
 
 }  // namespace
