@@ -5,6 +5,7 @@
 #include "scree/simulation.hpp"
 
 #include <scree/mpm/boundaries/wall_lines.hpp>
+#include <scree/mpm/terrain/bed_nodes.hpp>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,6 +16,8 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <string>
+#include <vector>
 
 namespace scree::app::testing {
 namespace {
@@ -102,6 +105,113 @@ TYPED_TEST(EveryWallLaw, SlowsWhatSlidesAndHoldsWhatItCan) {
   EXPECT_GT(mean_velocity(rough, 1), 0);
   // Held, the block creeps as a fluid of its viscosity, below the speed of its surface, rho g sin h^2/(2 mu).
   EXPECT_LT(mean_velocity(held, 1), 1000 * gravity * std::sin(5 * degree) * depth * depth / (2 * 2e4));
+}
+
+/// What a block slides on: a wall at the end of the mesh, or, a cell above it, ground or a body at rest.
+const std::array<std::string, 3> bases{"wall", "[terrain]", "[[bodies]]"};
+
+/// Such a block in the plane, over a base with the contact of this table.
+[[nodiscard]] Scene block_on(const std::string& base, const std::string& table, double slope_degrees) {
+  if (base == "wall") return block_over(table, slope_degrees, 2);
+  return parse_scene(fmt::format(R"([mesh]
+dimensions = 2
+size = [0.2, 0.4]
+cells = 4
+[boundaries]
+x = "periodic"
+y_low = "slip"
+y_high = "slip"
+[material]
+low = [0.0, 0.1]
+high = [0.2, 0.2]
+points_per_cell = 2
+[gravity]
+slope_degrees = {}
+{}
+surface = "plane"
+point = [0, 0.1]
+normal = [0, 1]
+contact = {}
+)",
+                                 slope_degrees, base, table) +
+                         viscous_block(),
+                     "scene.toml")
+      .scene;
+}
+
+/// Ground and bodies hold nodes as a wall there does: the same flow, but for the rounding of 2000 steps of
+/// about 100 sums, of speeds up to 1 m/s, and of places of nodes that are differenced over each step.
+TYPED_TEST(EveryWallLaw, DoesTheSameOnAWallOnGroundAndOnABody) {
+  for (const double slope_degrees : {40, 5}) {
+    Simulation<2, 2> wall{block_on("wall", typical_table<TypeParam>(), slope_degrees), {1}};
+    run_until(wall, 0.2);
+
+    for (const std::string base : {"[terrain]", "[[bodies]]"}) {
+      Simulation<2, 2> other{block_on(base, typical_table<TypeParam>(), slope_degrees), {1}};
+      run_until(other, 0.2);
+
+      for (const int axis : {0, 1})
+        EXPECT_NEAR(mean_velocity(other, axis), mean_velocity(wall, axis), 2000 * 100 * round_off) << base;
+    }
+  }
+}
+
+/// A layer of 0.1 m on a bed of Pouliquen and Forterre, and its speed there.
+struct LayerThatMayStop {
+  static constexpr double slope_degrees = 26.5;
+  static constexpr double slowest = 0.0136;  // beta, a tenth of an ordinary one, so that the end comes soon
+  static constexpr double mu_1 = 0.382;
+  static constexpr double mu_2 = 0.644;
+
+  /// @param share of h_stop that its depth is, by the size of the grains  @param speed at the start [m/s]
+  LayerThatMayStop(const std::string& base, double share, double speed)
+      : height{base == "wall" ? 0 : 0.1}, layer{block_on(base, table(share), slope_degrees), {1}} {
+    auto& particles = layer.state.particles;
+    for (Index p = 0; p < particles.size(); ++p) particles.velocity.component(0)[p] = speed;
+  }
+  [[nodiscard]] static std::string table(double share) {
+    const double slope = std::tan(slope_degrees * degree);
+    const double length = depth / share * (slope - mu_1) / (mu_2 - slope);  // L, Eq. (R168)
+    return fmt::format(
+        "{{law = \"pouliquen_forterre\", mu_1 = {}, mu_2 = {}, mu_3 = 0.415, beta = {}, length_per_size = 1, "
+        "weakening = 1e-3, gravity = 9.81, depth = {}, grain_size = {:.17g}}}",
+        mu_1, mu_2, slowest, depth, length);
+  }
+  /// Of its nodes on the bed [m/s].
+  [[nodiscard]] std::vector<double> speeds() const {
+    std::vector<double> found;
+    const auto& nodes = layer.state.nodes;
+    for (Index n = 0; n < nodes.num_nodes(); ++n) {
+      const bool is_on_bed = std::abs(mpm::node_position(nodes, n)[1] - height) < 0.01;
+      if (is_on_bed && nodes[n][mpm::NodeRecord::mass] > 0)
+        found.push_back(nodes[n][mpm::NodeRecord::momentum]);
+    }
+    return found;
+  }
+  double height;  ///< of the bed [m]
+  Simulation<2, 2> layer;
+};
+
+/// At the depth h > h_stop a flow comes to the speed beta sqrt(g h) h/h_stop, with a rate of 40/s and more:
+/// exp(-40) is left after 1 s, beside the rounding of 10^4 steps of 100 sums. At h < h_stop it is slowed by
+/// g cos (mu_stop(h) - tan), 0.029 m/s^2, at least, and stops before 1 s. What rests stays if the thicker
+/// layer flows too, as its slope is below mu_start.
+TEST(PouliquenForterreScene, ALayerFlowsAboveAndStopsBelowItsStoppingDepth) {  // Eqs. (R168)-(R171)
+  const double slowest = LayerThatMayStop::slowest * std::sqrt(gravity * depth);
+  for (const std::string& base : bases) {
+    LayerThatMayStop thick{base, 1.05, 2 * slowest};
+    LayerThatMayStop thin{base, 0.95, 2 * slowest};
+    LayerThatMayStop resting{base, 1.05, 0};
+
+    run_until(thick.layer, 1);
+    run_until(thin.layer, 1);
+    run_until(resting.layer, 0.1);
+
+    ASSERT_GE(thick.speeds().size(), 2U);
+    for (const double speed : thick.speeds()) EXPECT_NEAR(speed, 1.05 * slowest, 1e6 * round_off) << base;
+    for (const double speed : thin.speeds()) EXPECT_NEAR(speed, 0, 4 * round_off / 1e-4) << base;
+    for (const double speed : resting.speeds()) EXPECT_NEAR(speed, 0, 4 * round_off / 1e-4) << base;
+  }
 }
 
 /// Momentum along the wall, and mu times that across, change by the weight alone as soon as the block slides.
