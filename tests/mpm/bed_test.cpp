@@ -130,6 +130,7 @@ struct SlopeInSpace {
     const Lattice<2> sites{
         .count = {9, 9}, .spacing = Vector<2>::Constant(0.5), .first = Vector<2>::Constant(-1)};
     std::vector<double> heights;
+    heights.reserve(81);
     for (Index i = 0; i < sites.num_sites(); ++i) {
       const Vector<2> x = sites.position(sites.site(i));
       heights.push_back(height(x[0], x[1]));
@@ -166,7 +167,7 @@ struct SlidingBlockInSpace {
     constexpr double edge = spacing / 2;
     const Vector<3> corner{0.4, 0.4, SlopeInSpace::height(0.4, 0.4)};
     Particles<3> particles;
-    particles.resize(8 * 8 * 4);
+    particles.resize(256);  // 8 x 8 x 4
     for (Index p = 0; p < particles.size(); ++p) {
       const auto share = [](Index i) { return edge * (static_cast<double>(i) + 0.5); };
       const Vector<3> x =
