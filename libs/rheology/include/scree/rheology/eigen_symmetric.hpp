@@ -33,7 +33,9 @@ template <class Real>
 }
 
 /// Turns axes p and q so that a(p, q) vanishes; the smaller of the two angles that do. Where it is 0 in all
-/// lanes the turn is none, and is left out: in plane strain that leaves one of fifteen.
+/// lanes the turn is none, and is left out: in plane strain that leaves one of fifteen. Done for the sake of
+/// another lane it changes signs of zeros at most: of a(r, p) and a(r, q), which matter to none of the
+/// results, but not of the diagonal and the vectors, as long as these have no -0.
 template <class Real>
 void rotate_axes(Tensor<Real>& a, Tensor<Real>& vectors, std::size_t p, std::size_t q) noexcept {
   using std::sqrt;
@@ -80,10 +82,13 @@ void put_larger_first(EigenSystem<Real>& system, std::size_t p, std::size_t q) n
 /// Rotations keep round-off at that of the components and the vectors orthogonal even where eigenvalues
 /// coincide, where closed forms by the characteristic polynomial lose half of the digits. No lane takes a way
 /// of its own, so that packs run it too. Once the rotations are small each sweep squares their error: five
-/// sweeps reach round-off from anywhere.
+/// sweeps reach round-off from anywhere. A lane of finite components has the bits that it has
+/// alone, whatever the others hold; but where a product so small that it vanishes is fused with a sum, a zero
+/// may have the other sign.
 template <class Real>
 [[nodiscard]] EigenSystem<Real> eigen_symmetric(Tensor<Real> a) noexcept {
   constexpr int num_sweeps = 5;
+  for (std::size_t i = 0; i < 3; ++i) a(i, i) = a(i, i) + 0.0;  // no -0, nor from any rotation on
   Tensor<Real> vectors = isotropic(Real(1.0));
   for (int sweep = 0; sweep < num_sweeps; ++sweep) {
     detail::rotate_axes(a, vectors, 0, 1);
