@@ -10,6 +10,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 FIELDS = 4  # doubles of a node that one vector holds
+BYTES_ASKED = 1.1  # of a point over those of its columns, at most
+SORT_ASKED = 0.05  # of the time of the steps between two sorts, at most
+ADVECTIVE = 0.2  # cells that a point goes in a step, at most: the default share of that limit
 
 
 @dataclass
@@ -119,10 +122,12 @@ def transport(benches: Path, limits: Path, rounds: int) -> None:
 
 
 def sorting(bench: Path, dimensions: int, ns_of_step: float, rounds: int) -> None:
-    """A sort is due when a point has gone a cell: how rarely it must to take less than a twentieth of the time."""
-    rate = max(measure(bench, f"{dimensions}D_sort")["rate"] for _ in range(rounds))
-    print(f"{dimensions}D_sort: {1e3 / rate:.0f} ns per point, less than 5 % of the time from one in "
-          f"{math.ceil(20 * 1e3 / rate / ns_of_step)} steps of {ns_of_step:.0f} ns on")
+    """A sort is due when a point has gone a cell: what it takes of the time where that is soonest, and how rare it must
+    be to take no more than is asked."""
+    ns_of_sort = 1e3 / max(measure(bench, f"{dimensions}D_sort")["rate"] for _ in range(rounds))
+    print(f"{dimensions}D_sort: {ns_of_sort:.0f} ns per point, {ns_of_sort / ns_of_step * ADVECTIVE:.1%} of steps of "
+          f"{ns_of_step:.0f} ns where the advective limit binds, one in {1 / ADVECTIVE:.0f}; asked {SORT_ASKED:.0%}: "
+          f"from one in {math.ceil(ns_of_sort / ns_of_step / SORT_ASKED)} on")
 
 
 def peak(folder: Path) -> float | None:
@@ -146,7 +151,7 @@ def main() -> None:
     print(f"one core makes {most:.1f} Gflop/s by multiply-adds of doubles" if most else
           "how much one core makes by multiply-adds is not known: there is no program 'machine'")
     print(f"{'million points x steps / s':34} scree limit ratio asked |  ns per point: scatter nodes gather"
-          " | loops over nodes [Gflop/s, of peak] | bytes per point, over columns")
+          " | loops over nodes [Gflop/s, of peak] | bytes per point, over columns, asked")
     best = {}
     for row in rows():
         limit = max(rate_of_limit(options.limits, row) for _ in range(options.rounds))
@@ -160,7 +165,8 @@ def main() -> None:
         share = f"{speed / (most * row.threads):4.0%}" if most else f"{'-':>4}"
         print(f"{row.name:34} {rate:5.1f} {limit:5.1f} {rate / limit:5.2f} {row.asked:5.2f} |"
               f"        {phases}        | {speed:5.1f} {share}"
-              f" | {measured['bytes']:4.0f} {measured['bytes'] / measured['bytes_in_use']:5.3f}", flush=True)
+              f" | {measured['bytes']:4.0f} {measured['bytes'] / measured['bytes_in_use']:5.3f} {BYTES_ASKED:4.2f}",
+              flush=True)
     print("one row of scree over another")
     for d in (2, 3):
         for name, other, asked in WITHIN:
