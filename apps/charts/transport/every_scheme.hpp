@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cpu_time.hpp"
+#include "../cpu_time.hpp"
 #include "record.hpp"
 #include "schemes.hpp"
 

@@ -1,5 +1,5 @@
+#include "../program.hpp"
 #include "problems.hpp"
-#include "program.hpp"
 
 namespace {
 
