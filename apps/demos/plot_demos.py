@@ -100,23 +100,6 @@ def draw_burgers(folder: Path) -> list[Path]:
     return save(figure, folder / "burgers")
 
 
-def draw_dam_break(folder: Path) -> list[Path]:
-    """The depth at three times; cells without water are walls."""
-    colours = plt.get_cmap("GnBu").with_extremes(bad="#4d4237")
-    figure, panels = plt.subplots(3, 1, figsize=(11, 13.4), layout="constrained", sharex=True)
-    for time, axes in enumerate(panels, 1):
-        depth = read_plane(folder / f"dam_break_{time}.csv")
-        water = depth._replace(values=np.ma.masked_equal(depth.values, 0))
-        image = show(axes, water, [(0, 5, 10, 15, 20), (0, 5, 10)], cmap=colours, vmin=0, vmax=2)
-        draw_contours(axes, water, np.arange(0.15, 2, 0.1), colors="black", alpha=0.5)
-        axes.set(ylabel="y [m]")
-        axes.text(19.6, 9.6, f"{time} s", ha="right", va="top", fontweight="bold", color="black")
-    panels[0].set_title("A dam breaks: water, walls and three islands")
-    panels[-1].set_xlabel("x [m]")
-    figure.colorbar(image, ax=panels, label="depth [m]", shrink=0.5)
-    return save(figure, folder / "dam_break")
-
-
 def draw_euler_riemann(folder: Path) -> list[Path]:
     """The density of the whole square, and of its middle with contours."""
     density = read_plane(folder / "euler_riemann.csv")
@@ -247,6 +230,23 @@ def draw_elastic_bar(folder: Path) -> list[Path]:
     return save(figure, folder / "elastic_bar")
 
 
+def draw_shallow_dam_break(folder: Path) -> list[Path]:
+    """The depth at three times; cells without water are walls."""
+    colours = plt.get_cmap("GnBu").with_extremes(bad="#4d4237")
+    figure, panels = plt.subplots(3, 1, figsize=(11, 13.4), layout="constrained", sharex=True)
+    for time, axes in enumerate(panels, 1):
+        depth = read_plane(folder / f"shallow_dam_break_{time}.csv")
+        water = depth._replace(values=np.ma.masked_equal(depth.values, 0))
+        image = show(axes, water, [(0, 5, 10, 15, 20), (0, 5, 10)], cmap=colours, vmin=0, vmax=2)
+        draw_contours(axes, water, np.arange(0.15, 2, 0.1), colors="black", alpha=0.5)
+        axes.set(ylabel="y [m]")
+        axes.text(19.6, 9.6, f"{time} s", ha="right", va="top", fontweight="bold", color="black")
+    panels[0].set_title("A dam breaks: water, walls and three islands")
+    panels[-1].set_xlabel("x [m]")
+    figure.colorbar(image, ax=panels, label="depth [m]", shrink=0.5)
+    return save(figure, folder / "shallow_dam_break")
+
+
 def draw_sliding_block(folder: Path) -> list[Path]:
     """How far a block has slid, and theory."""
     slide = read_table(folder / "sliding_block.csv")
@@ -297,7 +297,6 @@ def draw_own_wall(folder: Path) -> list[Path]:
 PICTURES: dict[str, Callable[[Path], list[Path]]] = {
     "burgers_waves.csv": draw_burgers,
     "creeping_layer.csv": draw_creeping_layer,
-    "dam_break_1.csv": draw_dam_break,
     "elastic_bar.csv": draw_elastic_bar,
     "euler_riemann.csv": draw_euler_riemann,
     "free_fall.csv": draw_free_fall,
@@ -306,6 +305,7 @@ PICTURES: dict[str, Callable[[Path], list[Path]]] = {
     "own_law.csv": draw_own_law,
     "own_wall.csv": draw_own_wall,
     "segregation_column.csv": draw_segregation_column,
+    "shallow_dam_break_1.csv": draw_shallow_dam_break,
     "sliding_block.csv": draw_sliding_block,
     "slotted_disk_minmod.csv": draw_slotted_disk,
     "water_column.csv": draw_water_column,

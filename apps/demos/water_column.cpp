@@ -32,7 +32,7 @@ struct Water {
   template <class Real>
   struct State {};
   static constexpr std::array<StateColumn, 0> states{};
-  double bulk_modulus = 4e6;  // K [Pa]: sound seven times as fast as a fall from the top
+  double bulk_modulus = 4e6;  // K [Pa]: sound ten times as fast as a fall from the top
   double density = 1000;      // rho_0 [kg/m^3]
 
   template <class Real>

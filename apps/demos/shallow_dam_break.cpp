@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
   bool is_right = totals_of(rest).momentum < 1e-12;  // at rest, but for round-off
 
   Basin basin{depth_behind};
-  for (const char* name : {"dam_break_1.csv", "dam_break_2.csv", "dam_break_3.csv"}) {
+  for (const char* name : {"shallow_dam_break_1.csv", "shallow_dam_break_2.csv", "shallow_dam_break_3.csv"}) {
     const Totals earlier = totals_of(basin);
     basin.advance(1);
     const Totals now = totals_of(basin);
