@@ -1,16 +1,15 @@
 // A law of your own: grains that flow as Bagnold found, tau = rho l^2 gdot^2, down a rough slope.
-//
 //   u(y) = (2/3) (g sin a)^(1/2) (H^(3/2) - (H - y)^(3/2))/l
 //
-// A law is a type with the members below; nothing is registered, and nothing is derived from. It reads no
-// column of the points (`Input`), remembers nothing (`State`), and answers the rate of deformation with a
-// stress. A layer over its depth needs one dimension of space and two of velocity.
+// A law is a type with the members below: it reads no column of the points (`Input`), remembers nothing
+// (`State`), and answers the rate of deformation with a stress. A layer over its depth needs one dimension.
 #include "output.hpp"
 
 #include <scree/mpm/geostatic.hpp>
 #include <scree/mpm/seed.hpp>
 #include <scree/mpm/step.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -77,12 +76,13 @@ int main(int argc, char** argv) {
   stages.gravity = {-g * std::cos(slope), g * std::sin(slope)};  // across the layer, and down the slope
   set_geostatic(layer, *stages.stress, 0, depth, g * std::cos(slope));
   auto state = start(std::move(layer), grid, stages, threads);
-  constexpr double end = 1;  // [s], some ten times the time in which the layer would fall to its speed
-  for (double time = 0; time < end;) {
-    const double dt = stable_time_step(grid, state.rates, {}).dt;
+  for (double time = 0, dt = 0; time < 1; time += dt) {  // [s], ten times that in which it would fall so fast
+    dt = stable_time_step(grid, state.rates, {}).dt;
     step(state, stages, dt, threads);
-    time += dt;
   }
+  // Bounds of what cells leave out and what compression adds, as shares of the speed of the surface.
+  const double mesh = 0.0547 / std::pow(num_cells, 1.5) + 1.0 / (32 * num_cells * num_cells);
+  const double compression = 0.15 * grains.density * g * std::cos(slope) * depth / grains.bulk_modulus;
   std::vector<demo::Column> profile{{"y", {}}, {"velocity", {}}, {"theory", {}}};
   double worst = 0;
   for (Index p = 0; p < state.particles.size(); ++p) {
@@ -91,9 +91,10 @@ int main(int argc, char** argv) {
     profile[0].values.push_back(y);
     profile[1].values.push_back(state.particles.velocity.component(1)[p]);
     profile[2].values.push_back(theory(y));
-    worst = std::max(worst, std::abs(profile[1].values.back() - theory(y)) / theory(depth));
+    const double ahead = (profile[1].values.back() - theory(y)) / theory(depth);
+    worst = std::max({worst, -ahead / mesh, ahead / compression});
   }
   demo::write_table(demo::folder_from(argc, argv) / "own_law.csv", profile);
-  std::printf("speeds are off by %.4f of that of the surface, %.4f m/s, at most\n", worst, theory(depth));
-  return worst < 0.01 ? 0 : 1;
+  std::printf("speeds are off by %.2f of what cells and compression leave them, at most\n", worst);
+  return worst < 1 ? 0 : 1;
 }
