@@ -22,7 +22,7 @@ struct Profile {
 
 /// The reference of one variant of the paper's flow: time [s] to profile.
 [[nodiscard]] inline std::map<double, Profile> reference(char variant) {
-  std::ifstream file{std::string{SCREE_TEST_DATA} + "/incline/paper_incline_profiles.csv"};
+  std::ifstream file{SCREE_TEST_SCENES "/../plot/reference_incline.csv"};
   std::map<double, Profile> profiles;
   for (std::string line; std::getline(file, line);) {
     if (line.empty() || line[0] != variant || line[1] != ',') continue;
