@@ -48,8 +48,7 @@ std::string leaving_text(const mpm::Particles<D, V>& particles, const CartesianG
     }
     return fmt::format(
         ", past cell ({}), at t = {:.6g} s, with a velocity of ({}) m/s: make the mesh larger ([mesh] size), "
-        "let "
-        "it leave ([boundaries] leaving = \"absorb\") or throw it back (\"reflect\")",
+        "let it leave ([boundaries] leaving = \"absorb\") or throw it back (\"reflect\")",
         fmt::join(*cell, ", "), time, fmt::join(velocity, ", "));
   }
   return {};

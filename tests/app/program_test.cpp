@@ -3,6 +3,8 @@
 #include "run_program.hpp"
 #include "scenes.hpp"
 #include "scree/restart.hpp"
+#include "scree/simulation.hpp"
+#include "scree/summary.hpp"
 
 #include <scree/io/frame_reader.hpp>
 
@@ -20,6 +22,7 @@
 #include <fstream>
 #include <limits>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -282,6 +285,49 @@ struct UnstableRun {
   const Result result = scree(command);
   const auto summary = nlohmann::json::parse(text_of(directory / "summary.json"));
   return {file, command, directory / "checkpoint.h5", result, io::FrameReader{directory}, summary["time"]};
+}
+
+/// Names of all that a summary has, those inside of another as "limit.dt".
+void collect_keys(const nlohmann::json& json, const std::string& within, std::set<std::string>& keys) {
+  for (const auto& [key, value] : json.items()) {
+    const auto& one = value.is_array() && !value.empty() ? value[0] : value;
+    if (one.is_object()) {
+      collect_keys(one, within + key + ".", keys);
+    } else {
+      keys.insert(within + key);
+    }
+  }
+}
+
+/// Those that docs/tutorials/output_files.md has in the first column of its table of them.
+[[nodiscard]] std::set<std::string> keys_of_table() {
+  const std::string page = text_of(std::string{SCREE_TEST_SCENES} + "/../../docs/tutorials/output_files.md");
+  const std::string table = page.substr(page.find("| key |"));
+  std::istringstream rows{table.substr(0, table.find("\n\n"))};
+  std::set<std::string> keys;
+  for (std::string row; std::getline(rows, row);) {
+    const std::string names = row.substr(0, row.find('|', 1));
+    const std::regex quoted{"`([^`]+)`"};
+    for (std::sregex_iterator name{names.begin(), names.end(), quoted}; name != std::sregex_iterator{};
+         ++name) {
+      keys.insert((*name)[1]);
+    }
+  }
+  return keys;
+}
+
+/// Two sizes segregate in a chute that is fed and emptied, by a law that tells where it is ill-posed: every
+/// key is there.
+TEST(Summary, HasTheKeysOfItsTable) {
+  Simulation<2, 2> chute{
+      scene_of("fed_chute", {"grains.diameters=[1e-3, 2e-3]", "grains.fractions=[0.5, 0.5]",
+                             "segregation.closure=shear_rate", "segregation.c=1e-5", "segregation.every=1"}),
+      {1}};
+  for (int i = 0; i < 20; ++i) chute.step();
+  std::set<std::string> keys;
+  collect_keys(nlohmann::json::parse(summary_json(chute, 1, "finished")), "", keys);
+
+  EXPECT_EQ(keys, keys_of_table());
 }
 
 /// The share that a run was stopped for, set to the largest that the message allows.
