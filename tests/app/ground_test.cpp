@@ -260,10 +260,9 @@ TEST(BodyScene, OfTrianglesTakesMaterialAlong) {
       "[[bodies]]\nsurface = \"stl\"\nfile = \"plate.stl\"\nvelocity = [0.3, 0, -0.2]\ncontact = "
       "\"slides\"\n";
   const std::string box = "[material]\nlow = [0.0, 0.25, 0.0]\nhigh = [2.0, 0.5, 1.5]\npoints_per_cell = 2\n";
-  std::string text = viscous_on_map(plate, "{law = \"sticks\", hold = \"pushes_and_pulls\"}", box);
-  for (const std::string axis : {"x", "z"})
-    text = with(text, axis + "_low = \"slip\"\n" + axis + "_high = \"slip\"", axis + " = \"periodic\"");
-  auto layer = simulation_on_map(text);
+  const std::string text = viscous_on_map(plate, "{law = \"sticks\", hold = \"pushes_and_pulls\"}", box);
+  auto layer = simulation_on_map(with(with(text, "x_low = \"slip\"\nx_high = \"slip\"", "x = \"periodic\""),
+                                      "z_low = \"slip\"\nz_high = \"slip\"", "z = \"periodic\""));
 
   while (layer.clock.time < 0.1) layer.step();
 
