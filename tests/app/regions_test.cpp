@@ -141,5 +141,20 @@ TEST(TooFewPoints, AreWarnedOf) {
             "[material] points_per_cell, or material more cells");
 }
 
+/// A cell and a half deep: 8 cells of 4 points and 8 of 2. A single point beside them makes these the most.
+TEST(TooFewPoints, AreWarnedOfFromMoreThanHalfOfTheCellsOn) {
+  const std::string box = "[[material.regions]]\nshape = \"box\"\n";
+  const std::string half =
+      "[material]\npoints_per_cell = 2\n" + box + "low = [0.0, 0.0]\nhigh = [1.0, 0.1875]\n";
+  const auto warning_of = [](const std::string& material) {
+    return Simulation<2, 2>{plane_with(material), {1}}.too_few_points();
+  };
+
+  EXPECT_EQ(warning_of(half), "");
+  EXPECT_EQ(warning_of(half + box + "low = [0.0, 0.25]\nhigh = [0.0625, 0.3125]\n"),
+            "9 of 17 cells with material hold fewer than 4 points, which carry stress badly: give more "
+            "[material] points_per_cell, or material more cells");
+}
+
 }  // namespace
 }  // namespace scree::app::testing
