@@ -29,7 +29,8 @@ template <int D>
 
 template <int D, int V>
 [[nodiscard]] Vector<D> critical_sums(const Scene& scene, const mpm::State<D, V>& state) {
-  return mpm::critical_sums(state.particles, state.nodes.grid(), scene.shape, scene.transfer, scene.order);
+  return mpm::critical_sums(state.particles, state.nodes.grid(), scene.shape, scene.transfer, scene.order,
+                            scene.xpic_order);
 }
 
 /// The share that bounds a step, by its key.
@@ -64,10 +65,11 @@ template <class List>
   return std::visit([](const auto& entry) { return entry.name; }, list);
 }
 
-/// `transfer = "apic", shape = "linear", order = "usl"`
+/// `transfer = "apic", shape = "linear", order = "usl"`, and `xpic_order = 2` where velocities are filtered
 [[nodiscard]] std::string scheme_of(const Scene& scene) {
-  return fmt::format("transfer = \"{}\", shape = \"{}\", order = \"{}\"", name_in(scene.transfer),
-                     name_in(scene.shape), mpm::order_names[static_cast<std::size_t>(scene.order)]);
+  return fmt::format("transfer = \"{}\", shape = \"{}\", order = \"{}\"{}", name_in(scene.transfer),
+                     name_in(scene.shape), mpm::order_names[static_cast<std::size_t>(scene.order)],
+                     scene.xpic_order > 0 ? fmt::format(", xpic_order = {}", scene.xpic_order) : "");
 }
 
 constexpr double soft = 0.1;  // [-], of the modulus: half of it of the height is compression, which is seen
@@ -166,8 +168,8 @@ std::string instability(const Scene& scene, const mpm::State<D, V>& state,
   if (step.dt <= critical_step_of_any(grid, {largest.wave_speed, largest.kinematic_viscosity, 0, 0})) {
     return {};
   }
-  const double critical =
-      mpm::unstable_step(state.particles, stress, grid, scene.shape, scene.transfer, scene.order);
+  const double critical = mpm::unstable_step(state.particles, stress, grid, scene.shape, scene.transfer,
+                                             scene.order, scene.xpic_order);
   if (step.dt <= critical * slack) return {};
   const auto [key, value] = share_of(step.limit, scene.time_step);
   const double safe = std::min(critical, mpm::critical_step(critical_sums(scene, state), grid, state.rates));

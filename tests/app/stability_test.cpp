@@ -101,6 +101,16 @@ TEST(StableStep, OfFlipIsThatOfThePointsAsTheyLie) {
   EXPECT_EQ(message("\"quadratic\""), "no error");
 }
 
+/// With P = 8/27 of the shortest wave 368/729 of it are kept: (c dt/h)^2 = 1097/1762, (M182).
+TEST(StableStep, OfFilteredVelocitiesIsThatOfTheFilter) {
+  EXPECT_EQ(message_of("transfer = \"pic_flip\"\nincrement_share = 1\nacoustic = 0.9\nxpic_order = 2\n"
+                       "shape = \"linear\"",
+                       1e-3, 0, 1e5, 3),
+            "[numerics] acoustic = 0.9: must be at most 0.789: it allows steps of 0.01125 s, and from the "
+            "critical one, 0.009863 s, on waves of sound and viscosity grow under transfer = \"pic_flip\", "
+            "shape = \"linear\", order = \"usl\", xpic_order = 2");
+}
+
 /// Half the viscous limit is 8/3 nu dt/h^2 = 2/3 in one dimension, which is more than 27/46.
 TEST(StableStep, OfViscosityUnderFlipIsLessThanTheDefaultShareInOneDimension) {
   const auto message = [](const std::string& shape) {
@@ -123,6 +133,11 @@ TEST(StableStep, LeavesRoomForSoundAndViscosityTogether) {
       "\"linear\", order = \"usl\"");
   EXPECT_EQ(message_of("acoustic = 0.66\nviscous = 1", 400), "no error");
   EXPECT_EQ(message_of("acoustic = 1\nviscous = 1\nmaximum_dt = 0.008", 400), "no error");
+  EXPECT_EQ(
+      message_of("acoustic = 1\nviscous = 1\nmaximum_dt = 0.0083", 400),
+      "[numerics] maximum_dt = 0.0083: must be at most 0.008256: it allows steps of 0.0083 s, and from the "
+      "critical one, 0.008257 s, on waves of sound and viscosity grow under transfer = \"apic\", shape = "
+      "\"linear\", order = \"usl\"");
 }
 
 /// Three points a cell under FLIP, whose sum under quadratic shapes is 1.31; at 0.9 of the acoustic limit

@@ -27,34 +27,12 @@ constexpr Threads one_thread{1};
 constexpr Index num_cells = Bar::num_cells;
 constexpr double spacing = Bar::spacing;
 
-/// A law with which steps of dt have that sum, viscosity its share of it.
-[[nodiscard]] Fluid fluid_of(double sum, double viscous, double dt) {
-  const double speed = std::sqrt((1 - viscous) * sum) * spacing / dt;
-  return {.bulk_modulus = 1000 * speed * speed,
-          .reference_density = 1000,
-          .viscosity = 1000 * viscous * sum * 3.0 / 8 * spacing * spacing / dt};
-}
-
-constexpr double enough = 1e5;  // [-], of growth: the waves are linear still
-
-/// How a disturbance of everything, small and at random, grows: its largest in the second `num_steps` steps
-/// over that in the first, or `enough`.
+/// How a disturbance of everything, small and at random, grows: growth_of().
 template <int D>
 [[nodiscard]] double growth(Particles<D> particles, const CartesianGrid<D>& grid, const Stages<D, D>& stages,
                             double dt, int num_steps) {
-  constexpr double amplitude = 1e-10;  // of velocity over h/dt
-  fill_at_random(particles.velocity, amplitude * spacing / dt);
-  fill_at_random(particles.velocity_gradient, amplitude / dt);
-  auto state = start(std::move(particles), grid, stages, one_thread);
-  double first = amplitude / dt;
-  double second = 0;
-  for (int n = 0; n < 2 * num_steps; ++n) {
-    step(state, stages, dt, one_thread);
-    double& most = n < num_steps ? first : second;
-    most = std::max(most, largest(state.particles.velocity_gradient));
-    if (most > enough * amplitude / dt) return enough;
-  }
-  return second / first;
+  disturb(particles, dt);
+  return growth_of(std::move(particles), grid, stages, dt, num_steps);
 }
 
 /// Of a bar.
@@ -68,15 +46,6 @@ template <int D>
   auto stages = stages_of<1, 1>(particles, bar.shape, bar.transfer, fluid_of(sum, bar.viscous, dt));
   stages.order = bar.order;
   return growth(std::move(particles), stages, dt, num_steps);
-}
-
-[[nodiscard]] std::string name_of(const Bar& bar) {
-  const auto name = [](const auto& entry) { return entry.name; };
-  std::ostringstream text;
-  text << std::visit(name, bar.shape) << " " << std::visit(name, bar.transfer) << " "
-       << order_names[static_cast<std::size_t>(bar.order)] << ", " << bar.per_cell << " points a cell at "
-       << bar.offset << ", viscosity " << bar.viscous;
-  return text.str();
 }
 
 [[nodiscard]] std::vector<Bar> every_bar() {

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace scree::mpm {
 namespace {
@@ -31,6 +33,39 @@ TEST(CriticalSum, TakesPlacesToAThousandthOfACell) {
   const double of_sums = (num_places + 12) * round_off * (1.0 / 5 + 1) * 0.6;
 
   EXPECT_NEAR(critical_sum_of(bar), 0.6, of_places + of_sums);
+}
+
+/// The table of docs/equations/mpm/step_limits.md, with 1, 2 and 3 points a cell, to half of its last digits.
+TEST(CriticalSum, IsThatOfTheTable) {  // Eq. (M174)
+  struct Row {
+    AnyShape shape;
+    AnyTransfer transfer;
+    Order order;
+    std::array<double, 3> sums;
+    double last_digit;
+  };
+  const std::vector<Row> rows{
+      {Linear{}, Apic{}, Order::usl, {1, 1, 1}, 0.01},
+      {Linear{}, Tpic{}, Order::usl, {1, 1, 1}, 0.01},
+      {Linear{}, PicFlip{1}, Order::usl, {0.50, 0.57, 0.59}, 0.01},
+      {Linear{}, PicFlip{1}, Order::usf, {4, 3.0, 2.8}, 0.1},
+      {Quadratic{}, Apic{}, Order::usl, {1, 1.71, 1.66}, 0.01},
+      {Quadratic{}, Tpic{}, Order::usl, {1, 2.60, 1.93}, 0.01},
+      {Quadratic{}, PicFlip{1}, Order::usl, {0.50, 1.82, 1.31}, 0.01},
+      {Quadratic{}, PicFlip{1}, Order::usf, {4, 5.7, 5.3}, 0.1},
+      {Cubic{}, Apic{}, Order::usl, {1.95, 2.76, 2.77}, 0.01},
+      {Cubic{}, Tpic{}, Order::usl, {2.77, 3.15, 3.17}, 0.01},
+      {Cubic{}, PicFlip{1}, Order::usl, {1.88, 2.21, 2.22}, 0.01},
+      {Cubic{}, PicFlip{1}, Order::usf, {7.3, 7.3, 7.3}, 0.1},
+  };
+  for (const Row& row : rows) {
+    for (Index per_cell = 1; per_cell <= 3; ++per_cell) {
+      const Bar bar{.shape = row.shape, .transfer = row.transfer, .order = row.order, .per_cell = per_cell};
+      const double printed = row.sums[static_cast<std::size_t>(per_cell - 1)];
+      EXPECT_NEAR(critical_sum_of(bar), printed, row.last_digit / 2)
+          << row.shape.index() << " " << row.transfer.index() << ", " << per_cell << " points a cell";
+    }
+  }
 }
 
 TEST(CriticalSum, AsksForPointsThatHaveAPlaceAndMass) {

@@ -24,13 +24,14 @@ namespace {
 struct Passing {
   bool has_affine;
   bool has_affine_gradient;
-  double share;  ///< of the nodes' increment [-]
+  double share;    ///< of the nodes' increment [-]
+  int xpic_order;  ///< of the filter of velocities; 0: there is none
 };
 
-[[nodiscard]] Passing passing_of(const AnyTransfer& transfer) {
+[[nodiscard]] Passing passing_of(const AnyTransfer& transfer, int xpic_order) {
   return std::visit(
-      [](const auto& rule) {
-        return Passing{rule.has_affine, rule.has_affine_gradient, rule.increment_share()};
+      [xpic_order](const auto& rule) {
+        return Passing{rule.has_affine, rule.has_affine_gradient, rule.increment_share(), xpic_order};
       },
       transfer);
 }
@@ -134,8 +135,13 @@ template <class S>
           {sum.stiffness.sound / total, sum.stiffness.viscosity / total}};
 }
 
-/// The stiffness s with which a wave turns round by each step, -1 times itself.  Eq. (M174)
-[[nodiscard]] double turning_stiffness(const Seen& seen, double share, Order order) noexcept {
+/// The stiffness s with which a wave turns round by each step, -1 times itself.  Eqs. (M174), (M182)
+[[nodiscard]] double turning_stiffness(const Seen& seen, const Passing& passing, Order order) noexcept {
+  if (passing.xpic_order > 0) {
+    const double twice = 2 - std::pow(1 - seen.velocity, passing.xpic_order);
+    return 2 * twice / (order == Order::usl ? twice - seen.velocity : seen.velocity);
+  }
+  const double share = passing.share;
   const double kept = (1 + share) * (1 + seen.passed_on) + (1 - share) * seen.velocity;
   const double felt =
       order == Order::usl ? 1 + share - share * seen.velocity : seen.velocity + (1 + share) * seen.passed_on;
@@ -144,15 +150,14 @@ template <class S>
 
 /// Calls visit(seen, turning stiffness) for each wave along an axis.
 template <class Visit>
-void for_each_wave(std::span<const SharedPlace> places, const AnyShape& any_shape,
-                   const AnyTransfer& transfer, Order order, const Visit& visit) {
+void for_each_wave(std::span<const SharedPlace> places, const AnyShape& any_shape, const Passing& passing,
+                   Order order, const Visit& visit) {
   constexpr int num_waves = 32;
-  const Passing passing = passing_of(transfer);
   std::visit(
       [&](const auto& shape) {
         for (int n = 1; n <= num_waves; ++n) {
           const Seen seen = seen_of(shape, passing, places, n * std::numbers::pi / num_waves);
-          visit(seen, turning_stiffness(seen, passing.share, order));
+          visit(seen, turning_stiffness(seen, passing, order));
         }
       },
       any_shape);
@@ -207,13 +212,14 @@ template <int D, int V>
 
 template <int D, int V>
 Vector<D> critical_sums(const Particles<D, V>& particles, const CartesianGrid<D>& grid, const AnyShape& shape,
-                        const AnyTransfer& transfer, Order order) {
+                        const AnyTransfer& transfer, Order order, int xpic_order) {
+  const Passing passing = passing_of(transfer, xpic_order);
   Vector<D> sums = Vector<D>::Constant(std::numeric_limits<double>::infinity());
   for (int axis = 0; axis < D; ++axis) {
     const auto places =
         places_along(axis, particles, grid, shape, [](Index /*point*/) { return WaveRates{}; });
     require(!places.empty(), "critical_sums: there must be a point with mass");
-    for_each_wave(places, shape, transfer, order, [&](const Seen& seen, double stiffness) {
+    for_each_wave(places, shape, passing, order, [&](const Seen& seen, double stiffness) {
       sums[axis] = std::min(sums[axis], stiffness / seen.gradient);
     });
   }
@@ -233,7 +239,8 @@ double critical_step(const Vector<D>& sums, const CartesianGrid<D>& grid, const 
 template <int D, int V>
 double unstable_step(const Particles<D, V>& particles, const StressUpdate<D, V>& stress,
                      const CartesianGrid<D>& grid, const AnyShape& shape, const AnyTransfer& transfer,
-                     Order order) {
+                     Order order, int xpic_order) {
+  const Passing passing = passing_of(transfer, xpic_order);
   double dt = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < D; ++axis) {
     const auto rates = [&](Index p) {
@@ -242,7 +249,7 @@ double unstable_step(const Particles<D, V>& particles, const StressUpdate<D, V>&
     };
     const auto places = places_along(axis, particles, grid, shape, rates);
     if (places.empty()) return dt;
-    for_each_wave(places, shape, transfer, order, [&](const Seen& seen, double stiffness) {
+    for_each_wave(places, shape, passing, order, [&](const Seen& seen, double stiffness) {
       dt = shorter_step(step_of(stiffness, seen.stiffness), dt);
     });
   }
@@ -267,9 +274,9 @@ void require_stable(const State<D, V>& state, const Stages<D, V>& stages, const 
 
 #define SCREE_INSTANCE(D, V)                                                                                \
   template Vector<D> critical_sums(const Particles<D, V>&, const CartesianGrid<D>&, const AnyShape&,        \
-                                   const AnyTransfer&, Order);                                              \
+                                   const AnyTransfer&, Order, int);                                         \
   template double unstable_step(const Particles<D, V>&, const StressUpdate<D, V>&, const CartesianGrid<D>&, \
-                                const AnyShape&, const AnyTransfer&, Order);                                \
+                                const AnyShape&, const AnyTransfer&, Order, int);                           \
   template void require_stable(const State<D, V>&, const Stages<D, V>&, const Vector<D>&, double);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE

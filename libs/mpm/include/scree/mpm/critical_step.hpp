@@ -12,15 +12,17 @@ namespace scree::mpm {
 ///
 /// with which no wave of compression along that axis grows, sound and viscosity alike: the least over wave
 /// numbers, with what points at these places give to a node and take from it in the mean by mass [-]. Exact
-/// where points form a lattice along the mesh; nodes of little mass have less, means over cells and filters
-/// more. Waves across the mesh are not seen: in two and three dimensions theirs may be lower, which is left
-/// to (M17) and (M19). Places are taken to a thousandth of a cell. Takes a pass over the points for each
-/// axis: for when a run is assembled, and now and then.
+/// where points form a lattice along the mesh; nodes of little mass have less, means over cells more. Waves
+/// across the mesh are not seen: in two and three dimensions theirs may be lower, which is left to (M17) and
+/// (M19). Places are taken to a thousandth of a cell. Takes a pass over the points for each axis: for when a
+/// run is assembled, and now and then.
+/// @param xpic_order of the filter of velocities, of a transfer that takes one; 0: there is none
 /// @throws InputError naming a point without a finite position, or if no point has mass.
-/// @see Eqs. (M173), (M174)
+/// @see Eqs. (M173), (M174), (M182)
 template <int D, int V>
 [[nodiscard]] Vector<D> critical_sums(const Particles<D, V>& particles, const CartesianGrid<D>& grid,
-                                      const AnyShape& shape, const AnyTransfer& transfer, Order order);
+                                      const AnyShape& shape, const AnyTransfer& transfer, Order order,
+                                      int xpic_order = 0);
 
 /// No shape, transfer, order and place of points has a critical sum along an axis below this [-].  Eq. (M174)
 inline constexpr double least_critical_sum = 0.5;
@@ -41,7 +43,7 @@ template <int D>
 template <int D, int V>
 [[nodiscard]] double unstable_step(const Particles<D, V>& particles, const StressUpdate<D, V>& stress,
                                    const CartesianGrid<D>& grid, const AnyShape& shape,
-                                   const AnyTransfer& transfer, Order order);
+                                   const AnyTransfer& transfer, Order order, int xpic_order = 0);
 
 /// For each step of a run whose steps are not those of stable_time_step(), or at large shares of its limits:
 /// a few operations, with the rates that the last step has left. These are the largest of all points, so that
