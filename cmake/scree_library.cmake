@@ -1,3 +1,4 @@
+include(precompiled_eigen)
 include(warnings)
 include(GNUInstallDirs)
 
