@@ -223,7 +223,7 @@ TEST(Bed, LetsABlockSlideDownAnySlopeInSpace) {  // Eqs. (M60), (M63), (M65)
     EXPECT_NEAR(gained.dot(block.downhill) + block.friction * gained.dot(block.normal), exact,
                 impulse * block.widest * block.widest / 2 + rounding);
     EXPECT_NEAR(gained.dot(block.across), 0, impulse * block.widest + rounding);
-    EXPECT_LT(block.widest, 0.1);  // so that a friction wrong by half a percent is seen
+    EXPECT_LT(block.widest, 0.01);  // so that a friction wrong by 1e-4 is seen
   }
 }
 
