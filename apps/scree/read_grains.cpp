@@ -1,5 +1,6 @@
 #include "scree/read_grains.hpp"
 
+#include "scree/choices.hpp"
 #include "scree/crushing.hpp"
 #include "scree/law_columns.hpp"
 #include "scree/mixture.hpp"
@@ -57,8 +58,8 @@ template <class Maker>
 }  // namespace
 
 std::optional<grainsize::Distribution> read_grains(const TomlTable& table) {
-  constexpr std::array<std::string_view, 4> kinds{"classes", "histogram", "log_normal", "power_law"};
-  const std::string kind = table.choice_or("classes", "distribution", "how the sizes are given", kinds);
+  const std::string kind =
+      table.choice_or("classes", "distribution", "how the sizes are given", names_of(choices::distributions));
   if (kind == "classes" || kind == "histogram") {
     const std::string_view key = kind == "classes" ? "diameters" : "edges";
     const auto sizes = table.numbers(

@@ -1,5 +1,6 @@
 #include "scree/read_ground.hpp"
 
+#include "scree/choices.hpp"
 #include "scree/mixture.hpp"
 #include "scree/read_walls.hpp"
 
@@ -101,9 +102,8 @@ void check_dimensions(const TomlTable& table, const Scene& scene, int needed) {
 
 /// A rigid body's shape, at the start.
 [[nodiscard]] auto read_shape(const TomlTable& table, const Scene& scene, SceneFiles& files) {
-  constexpr std::array<std::string_view, 3> kinds{"ball", "plane", "stl"};
   decltype(BodyScene::surface) surface;
-  const std::string kind = table.choice("surface", "form of the body", kinds);
+  const std::string kind = table.choice("surface", "form of the body", names_of(choices::body_surfaces));
   if (!table.is_sound("surface")) return surface;
   if (kind == "plane") surface = read_plane(table, dimensions_of(scene));
   if (kind == "stl") {
@@ -201,9 +201,9 @@ void read_turn(const TomlTable& table, BodyScene& body, std::size_t dimensions) 
 }  // namespace
 
 TerrainScene read_terrain(const TomlTable& table, const Scene& scene, SceneFiles& files) {
-  constexpr std::array<std::string_view, 4> kinds{"plane", "profile", "raster", "stl"};
   TerrainScene terrain;
-  const std::string kind = table.choice("surface", "how the ground is given", kinds);
+  const std::string kind =
+      table.choice("surface", "how the ground is given", names_of(choices::terrain_surfaces));
   if (table.is_sound("surface")) {
     table.check(scene.mesh.dimensions > 1, {"surface"}, "is for meshes of 2 or 3 dimensions");
     if (kind == "plane") terrain.surface = read_plane(table, dimensions_of(scene));

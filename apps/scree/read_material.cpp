@@ -1,6 +1,7 @@
 #include "scree/read_material.hpp"
 
 #include "scree/axes.hpp"
+#include "scree/choices.hpp"
 #include "scree/stored_points.hpp"
 
 #include <fmt/format.h>
@@ -102,9 +103,8 @@ void check_inside(const TomlTable& table, std::string_view key, double value, co
 
 void read_regions(const TomlTable& table, const Scene& scene, const MapPlace& terrain_place,
                   SceneFiles& files, MaterialScene& material) {
-  constexpr std::array<std::string_view, 4> shapes{"box", "polygon", "layer", "release"};
   for (const TomlTable& region : table.tables("regions")) {
-    const std::string shape = region.choice("shape", "of the region", shapes);
+    const std::string shape = region.choice("shape", "of the region", names_of(choices::region_shapes));
     if (!region.is_sound("shape")) continue;
     if (shape == "box") material.regions.emplace_back(read_box(region, scene.mesh, "material"));
     if (shape == "polygon") material.regions.emplace_back(read_polygon(region, scene.mesh));
@@ -172,7 +172,6 @@ BoxRegion read_box(const TomlTable& table, const MeshScene& mesh, std::string_vi
 
 MaterialScene read_material(const TomlTable& table, const Scene& scene, const MapPlace& terrain_place,
                             SceneFiles& files) {
-  constexpr std::array<std::string_view, 2> layouts{"regular", "random"};
   if (table.has("checkpoint")) return read_stored(table, scene, files);
   MaterialScene material;
   if (table.has("regions")) {
@@ -185,7 +184,8 @@ MaterialScene read_material(const TomlTable& table, const Scene& scene, const Ma
   }
   material.points_per_cell =
       table.integer_or(3, "points_per_cell", "material points along each axis of a cell", between(1, 16));
-  if (table.choice_or("regular", "layout", "how points lie in a cell", layouts) == "random") {
+  if (table.choice_or("regular", "layout", "how points lie in a cell", names_of(choices::layouts)) ==
+      "random") {
     material.random_seed = static_cast<std::uint64_t>(
         table.integer_or(0, "seed", "what the drawing of places begins with", at_least(0)));
   }

@@ -1,4 +1,5 @@
 #include "scree/axes.hpp"
+#include "scree/choices.hpp"
 #include "scree/chosen.hpp"
 #include "scree/map_files.hpp"
 #include "scree/output_fields.hpp"
@@ -36,9 +37,8 @@ using io::TomlTable;
   mesh.velocity_components = static_cast<int>(table.integer_or(
       mesh.dimensions, "velocity_components", "components of velocity", between(mesh.dimensions, 3)));
   if (!table.is_sound("velocity_components")) mesh.velocity_components = mesh.dimensions;
-  constexpr std::array<std::string_view, 2> symmetries{"plane", "axisymmetric"};
-  mesh.is_axisymmetric =
-      table.choice_or("plane", "symmetry", "what the mesh is a cut through", symmetries) == "axisymmetric";
+  mesh.is_axisymmetric = table.choice_or("plane", "symmetry", "what the mesh is a cut through",
+                                         names_of(choices::symmetries)) == "axisymmetric";
   table.check(!mesh.is_axisymmetric || (mesh.dimensions == 2 && mesh.velocity_components == 2),
               {"symmetry", "dimensions", "velocity_components"},
               "flow round an axis takes 2 dimensions and 2 components of velocity");
@@ -69,8 +69,6 @@ using io::TomlTable;
 }
 
 [[nodiscard]] SegregationScene read_segregation(const TomlTable& table) {
-  constexpr std::array<std::string_view, 2> volumes{"cells", "nodes"};
-  constexpr std::array<std::string_view, 2> maps{"exchange", "increments"};
   SegregationScene scene;
   read_chosen(table, "closure", "what drives segregation", scene.closure);
   scene.remixing = table.number_or(0, "remixing", "diffusion of the fractions D [m^2/s]", at_least(0));
@@ -78,11 +76,12 @@ using io::TomlTable;
   read_chosen(table, "integrator", "time integrator", scene.integrator, "ssp_rk2");
   scene.cfl = table.number_or(0.5, "cfl", "Courant number of a segregation step [-]",
                               io::Bounds{0, 0.5, true, false});
-  scene.control_volumes =
-      table.choice_or("cells", "control_volumes", "where fractions are balanced", volumes) == "cells"
-          ? Sites::cells
-          : Sites::nodes;
-  scene.map = table.choice_or("exchange", "map", "how changes come back to the points", maps) == "exchange"
+  scene.control_volumes = table.choice_or("cells", "control_volumes", "where fractions are balanced",
+                                          names_of(choices::control_volumes)) == "cells"
+                              ? Sites::cells
+                              : Sites::nodes;
+  scene.map = table.choice_or("exchange", "map", "how changes come back to the points",
+                              names_of(choices::carried_maps)) == "exchange"
                   ? mpm::CarriedMap::exchange
                   : mpm::CarriedMap::increments;
   scene.every = table.integer_or(100, "every", "momentum steps between segregation steps", between(1, 1e6));
@@ -129,8 +128,8 @@ void check_boxes(const TomlTable& table, const Scene& scene) {
 
 /// What a step does beside its own passes.
 void read_extra_passes(const TomlTable& table, Scene& scene) {
-  const std::string order =
-      table.choice_or("usl", "order", "when in a step stress is brought up to date", mpm::order_names);
+  const std::string order = table.choice_or("usl", "order", "when in a step stress is brought up to date",
+                                            names_of(choices::orders));
   for (std::size_t i = 0; i < mpm::order_names.size(); ++i) {
     if (order == mpm::order_names[i]) scene.order = static_cast<mpm::Order>(i);
   }
@@ -146,24 +145,32 @@ void read_extra_passes(const TomlTable& table, Scene& scene) {
               "velocities are filtered for transfer = \"pic_flip\" with increment_share = 1 only");
 }
 
+/// How the viscous part of the stress is advanced, and what that does not go with.
+void read_viscosity(const TomlTable& table, Scene& scene) {
+  const std::string viscosity =
+      table.choice_or("explicit", "viscosity", "how the viscous part of the stress is advanced",
+                      names_of(choices::viscosity_schemes));
+  if (viscosity == "implicit") scene.viscosity = ViscosityScheme::implicit;
+  if (viscosity == "auto") scene.viscosity = ViscosityScheme::automatic;
+  const bool is_explicit = viscosity == "explicit";
+  table.check(is_explicit || std::holds_alternative<mpm::Linear>(scene.shape), {"viscosity", "shape"},
+              "viscosity is implicit for shape = \"linear\" only");
+  table.check(is_explicit || !has_wall<FrictionScene>(scene.axes), {"viscosity"},
+              "viscosity is implicit for walls without friction only");
+  table.check(is_explicit || !has_wall<OpenEnd>(scene.axes), {"viscosity"},
+              "viscosity is implicit without \"open\" ends only");
+  table.check(is_explicit || (!scene.terrain && scene.bodies.empty()), {"viscosity"},
+              "viscosity is implicit without terrain and bodies only");
+  table.check(is_explicit || scene.inflows.empty(), {"viscosity"},
+              "viscosity is implicit without [[inflow]] only");
+}
+
 void read_numerics(const TomlTable& table, Scene& scene) {
   read_chosen(table, "shape", "shape function of momentum", scene.shape, "linear");
   check_boxes(table, scene);
   read_chosen(table, "transfer", "how velocity travels between points and nodes", scene.transfer, "apic");
   read_extra_passes(table, scene);
-  constexpr std::array<std::string_view, 3> schemes{"explicit", "implicit", "auto"};
-  const std::string viscosity =
-      table.choice_or("explicit", "viscosity", "how the viscous part of the stress is advanced", schemes);
-  if (viscosity == "implicit") scene.viscosity = ViscosityScheme::implicit;
-  if (viscosity == "auto") scene.viscosity = ViscosityScheme::automatic;
-  table.check(viscosity == "explicit" || std::holds_alternative<mpm::Linear>(scene.shape),
-              {"viscosity", "shape"}, "viscosity is implicit for shape = \"linear\" only");
-  table.check(viscosity == "explicit" || has_plain_walls(scene.axes), {"viscosity"},
-              "viscosity is implicit for walls without friction only");
-  table.check(viscosity == "explicit" || (!scene.terrain && scene.bodies.empty()), {"viscosity"},
-              "viscosity is implicit without terrain and bodies only");
-  table.check(viscosity == "explicit" || scene.inflows.empty(), {"viscosity"},
-              "viscosity is implicit without [[inflow]] only");
+  read_viscosity(table, scene);
   const io::Bounds share{0, 1, true, false};
   mpm::TimeStepOptions& options = scene.time_step;
   options.acoustic =
@@ -196,9 +203,8 @@ void read_numerics(const TomlTable& table, Scene& scene) {
 
 /// What becomes of points that leave the mesh.
 [[nodiscard]] mpm::Leaving read_leaving(const TomlTable& boundaries) {
-  constexpr std::array<std::string_view, 3> names{"stop", "absorb", "reflect"};
-  const std::string name =
-      boundaries.choice_or("stop", "leaving", "what becomes of a point that leaves the mesh", names);
+  const std::string name = boundaries.choice_or(
+      "stop", "leaving", "what becomes of a point that leaves the mesh", names_of(choices::leavings));
   if (name == "absorb") return mpm::Leaving::absorb;
   return name == "reflect" ? mpm::Leaving::reflect : mpm::Leaving::stop;
 }

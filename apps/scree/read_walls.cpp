@@ -1,6 +1,7 @@
 #include "scree/read_walls.hpp"
 
 #include "scree/axes.hpp"
+#include "scree/choices.hpp"
 #include "scree/chosen.hpp"
 #include "scree/law_columns.hpp"
 #include "scree/material_columns.hpp"
@@ -86,9 +87,8 @@ void read_inputs(const TomlTable& table, const Scene& scene, std::size_t axis,
 }
 
 [[nodiscard]] mpm::Hold read_hold(const TomlTable& table) {
-  constexpr std::array<std::string_view, 2> holds{"pushes", "pushes_and_pulls"};
-  const bool pulls =
-      table.choice_or("pushes", "hold", "whether material may leave the wall", holds) == holds[1];
+  const bool pulls = table.choice_or("pushes", "hold", "whether material may leave the wall",
+                                     names_of(choices::holds)) == "pushes_and_pulls";
   return pulls ? mpm::Hold::pushes_and_pulls : mpm::Hold::pushes;
 }
 
@@ -147,12 +147,11 @@ void refuse_walls(const TomlTable& boundaries, std::string_view axis) {
 }  // namespace
 
 std::vector<AxisScene> read_axes(const TomlTable& boundaries, const Scene& scene) {
-  constexpr std::array<std::string_view, 2> kinds{"walls", "periodic"};
   std::vector<AxisScene> axes;
   for (const std::string_view name : axis_names(scene.mesh.dimensions)) {
     AxisScene ends;
-    ends.is_periodic =
-        boundaries.choice_or("walls", name, "what ends this axis of the mesh", kinds) == "periodic";
+    ends.is_periodic = boundaries.choice_or("walls", name, "what ends this axis of the mesh",
+                                            names_of(choices::axis_kinds)) == "periodic";
     if (!ends.is_periodic) {
       const auto read = [&](std::string_view end) {
         return read_wall(boundaries, fmt::format("{}_{}", name, end), fmt::format("wall at the {} end", end),
@@ -168,16 +167,11 @@ std::vector<AxisScene> read_axes(const TomlTable& boundaries, const Scene& scene
   return axes;
 }
 
-bool has_plain_walls(const std::vector<AxisScene>& axes) {
-  return std::ranges::all_of(axes, [](const AxisScene& axis) {
-    return std::holds_alternative<mpm::AnyWall>(axis.low) && std::holds_alternative<mpm::AnyWall>(axis.high);
-  });
-}
-
 ContactScene read_contact(const TomlTable& table, const Scene& scene) {
   constexpr std::string_view key = "contact";
   constexpr auto laws = names_of<rheology::AnyWallLaw>();
-  std::vector<std::string_view> names{mpm::Sticks::name, mpm::Slides::name};
+  constexpr auto plain = names_of(choices::plain_contacts);
+  std::vector<std::string_view> names{plain.begin(), plain.end()};
   names.insert(names.end(), laws.begin(), laws.end());
   constexpr std::size_t no_axis = 3;  // the depth over ground is not the extent along an axis
   ContactScene contact;

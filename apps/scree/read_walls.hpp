@@ -4,6 +4,8 @@
 
 #include <scree/io/toml_reader.hpp>
 
+#include <algorithm>
+#include <variant>
 #include <vector>
 
 namespace scree::app {
@@ -15,8 +17,13 @@ namespace scree::app {
 /// @param scene of which the mesh, the material, the law and the grains have been read
 [[nodiscard]] std::vector<AxisScene> read_axes(const io::TomlTable& boundaries, const Scene& scene);
 
-/// Whether each end has a wall that holds whole components of velocity.
-[[nodiscard]] bool has_plain_walls(const std::vector<AxisScene>& axes);
+/// Whether any end is of this kind.
+template <class Wall>
+[[nodiscard]] bool has_wall(const std::vector<AxisScene>& axes) {
+  return std::ranges::any_of(axes, [](const AxisScene& axis) {
+    return std::holds_alternative<Wall>(axis.low) || std::holds_alternative<Wall>(axis.high);
+  });
+}
 
 /// How ground or a body holds material: `contact = "sticks"`, `"slides"`, or a table as a wall's.
 /// @param scene of which the law and the grains have been read

@@ -44,6 +44,8 @@ TEST(AxisymmetricScene, IsRefusedWhatKnowsPlaneFlowsOnly) {
             "--set boundaries.x_low=no_slip: the axis of symmetry must be \"slip\"");
   EXPECT_EQ(message_of({round, "gravity.slope_degrees=10"}),
             "--set gravity.slope_degrees=10: flow round an axis has none");
+  EXPECT_EQ(message_of({round, "numerics.shape=linear", "numerics.viscosity=implicit"}),
+            "--set numerics.viscosity=implicit: is explicit in flow round an axis");
   EXPECT_EQ(message_of({round, "numerics.order=musl"}),
             "--set numerics.order=musl: flow round an axis takes \"usl\", without means over cells");
   EXPECT_EQ(

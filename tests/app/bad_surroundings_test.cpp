@@ -130,6 +130,20 @@ TEST(BadTerrain, FrictionWithoutParametersIsShownItsTable) {
             "pressure [-])");
 }
 
+/// A wall across an axis has the depth of the material along it; ground and bodies have none.
+TEST(BadTerrain, FrictionThatReadsTheDepthMustBeToldIt) {
+  const std::string law =
+      "{law = \"pouliquen_forterre\", mu_1 = 0.3, mu_2 = 0.6, mu_3 = 0.4, beta = 0.1, length_per_size = 2, "
+      "weakening = 1e-3, gravity = 9.81, grain_size = 1e-3";
+  const auto with_contact = [](const std::string& contact) { return tilted_with("\"slides\"", contact); };
+
+  EXPECT_EQ(
+      message_on_map(with_contact(law + "}")),
+      "scene.toml:17: [terrain.contact] depth: missing, expected a number (what the law of the wall reads "
+      "[m])");
+  EXPECT_EQ(message_on_map(with_contact(law + ", depth = 0.5}")), "no error");
+}
+
 [[nodiscard]] std::string message_of_block(const std::string& surroundings,
                                            const std::vector<std::string>& overrides = {}) {
   return message_of([&] {

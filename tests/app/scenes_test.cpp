@@ -2,6 +2,8 @@
 
 #include "scenes.hpp"
 
+#include "scree/chosen.hpp"
+#include "scree/output_fields.hpp"
 #include "scree/run.hpp"
 #include "scree/simulation.hpp"
 #include "scree/stability.hpp"
@@ -10,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <regex>
+#include <type_traits>
 
 namespace scree::app::testing {
 namespace {
@@ -78,10 +82,53 @@ end = 0.1
 TEST(ListOfParts, NamesEveryPartOnALine) {
   const std::string list = list_of_parts();
 
-  for (const char* name : {"size_dependent_newtonian", "shear_rate", "gravity", "kurganov_tadmor", "minmod",
-                           "van_leer", "ssp_rk3", "quadratic", "apic", "no_slip"}) {
+  for (const char* name : {"size_dependent_newtonian",
+                           "shear_rate",
+                           "gravity",
+                           "kurganov_tadmor",
+                           "minmod",
+                           "van_leer",
+                           "ssp_rk3",
+                           "quadratic",
+                           "apic",
+                           "no_slip",
+                           "open",
+                           "coulomb",
+                           "sticks",
+                           "slides",
+                           "pushes_and_pulls",
+                           "absorb",
+                           "axisymmetric",
+                           "periodic",
+                           "profile",
+                           "raster",
+                           "stl",
+                           "ball",
+                           "polygon",
+                           "release",
+                           "random",
+                           "musl",
+                           "implicit",
+                           "auto",
+                           "log_normal",
+                           "power_law",
+                           "histogram",
+                           "nodes",
+                           "increments",
+                           "oedometric"}) {
     EXPECT_NE(list.find(std::string{"\n  "} + name + " "), std::string::npos) << name;
   }
+}
+
+TEST(ListOfParts, NamesEveryFieldOfAFrame) {
+  const std::string list = list_of_parts();
+
+  for_each_entry<rheology::AnyLaw>([&]<class Law>(std::type_identity<Law>) {
+    for (const std::string_view field : known_fields(true, Law{})) {
+      EXPECT_TRUE(std::regex_search(list, std::regex{"[ ,;]" + std::string{field} + "( |,|\n)"}))
+          << Law::name << ' ' << field;
+    }
+  });
 }
 
 }  // namespace

@@ -543,5 +543,11 @@ TEST(BadWall, ImplicitViscosityKnowsNoFriction) {
       "only");
 }
 
+TEST(BadWall, ImplicitViscosityKnowsNoOpenEnd) {
+  EXPECT_EQ(message_of(with_base("\"open\"") + "[numerics]\nviscosity = \"implicit\"\n"),
+            "scene.toml:27: [numerics] viscosity = \"implicit\": viscosity is implicit without \"open\" ends "
+            "only");
+}
+
 }  // namespace
 }  // namespace scree::app::testing
