@@ -100,6 +100,7 @@ mpm::Stages<D, V> make_stages(const Scene& scene, const CartesianGrid<D>& grid,
   stages.order = scene.order;
   stages.averaging = scene.averaging;
   if (scene.xpic_order > 0) stages.xpic = mpm::make_xpic<D, V>(scene.shape, scene.xpic_order);
+  stages.mass_floor = scene.mass_floor;
   stages.leaving = scene.leaving;
   stages.balanced = particles.column_named(fraction_column);
   stages.gravity = gravity_of<V>(scene.gravity, D);

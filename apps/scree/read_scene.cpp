@@ -183,6 +183,10 @@ void read_numerics(const TomlTable& table, Scene& scene) {
                                        "share of the time in which a law's memory changes [-]", share);
   options.maximum =
       table.number_or(0, "maximum_dt", "the user's own limit of dt [s]; 0 is none", at_least(0));
+  scene.mass_floor =
+      table.number_or(scene.mass_floor, "mass_floor",
+                      "mass of the lightest node that moves, over that of the heaviest point [-]",
+                      io::Bounds{0, 1, false, true});
 }
 
 [[nodiscard]] OutputScene read_output(const TomlTable& table, double end, bool has_grains,

@@ -260,6 +260,7 @@ struct Scene {
   mpm::Order order = mpm::Order::usl;
   mpm::Averaging averaging;
   int xpic_order = 0;
+  double mass_floor = 1e-10;  ///< mpm::Stages::mass_floor [-]
   mpm::TimeStepOptions time_step;
   ViscosityScheme viscosity = ViscosityScheme::with_stress;
   double end = 0;  ///< simulated time [s]

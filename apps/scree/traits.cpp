@@ -43,6 +43,7 @@ void add_scheme(const Scene& scene, std::vector<Trait>& traits) {
       {"[numerics] order", std::string{mpm::order_names[static_cast<std::size_t>(scene.order)]}});
   traits.push_back({"[numerics] averaged_volume_change", fmt::format("{}", scene.averaging.volume_change)});
   traits.push_back({"[numerics] averaged_pressure", fmt::format("{}", scene.averaging.pressure)});
+  traits.push_back({"[numerics] mass_floor", fmt::format("{}", scene.mass_floor)});
   traits.push_back({"[numerics] viscosity", scheme_name(scene.viscosity)});
 }
 

@@ -49,6 +49,28 @@ TEST(BadScene, ValueOutOfRangeIsNamed) {
             "scene.toml:16: [rheology] density = -1000: must exceed 0 (density without pressure [kg/m^3])");
 }
 
+TEST(BadScene, MassFloorOfAWholePointIsRefused) {
+  EXPECT_EQ(
+      message_of(small_scene() + "[numerics]\nmass_floor = 1\n"),
+      "scene.toml:27: [numerics] mass_floor = 1: must lie in [0, 1) (mass of the lightest node that moves, "
+      "over that of the heaviest point [-])");
+}
+
+TEST(SmallScene, HasTheLibrarysMassFloorUnlessTold) {  // Eq. (M196)
+  EXPECT_EQ(parse_scene(small_scene(), "scene.toml").scene.mass_floor, (mpm::Stages<1, 2>{}.mass_floor));
+}
+
+TEST(SmallScene, TakesItsMassFloorToTheSteps) {  // Eq. (M20)
+  const auto floor_of = [](const std::string& share) {
+    return Simulation<1, 2>{
+        parse_scene(small_scene() + "[numerics]\nmass_floor = " + share + "\n", "scene.toml").scene, {1}}
+        .state.mass_floor;
+  };
+  EXPECT_EQ(floor_of("0"), 0);
+  EXPECT_EQ(floor_of("0.25"), 2 * floor_of("0.125"));  // powers of two: exact
+  EXPECT_GT(floor_of("0.125"), 0);
+}
+
 TEST(BadScene, FilterOfVelocitiesThatDoesNotSuitTheTransferIsNamed) {
   EXPECT_EQ(
       message_of(small_scene() + "[numerics]\nxpic_order = 2\n"),

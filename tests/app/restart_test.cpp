@@ -171,10 +171,12 @@ TEST(BadCheckpoint, OfAnotherMeshOrSchemeIsRefusedWithAllThatDiffers) {
   EXPECT_EQ(message_of_other_keys({"mesh.symmetry=axisymmetric"}),
             "is of another run: [mesh] symmetry is plane there and axisymmetric in the scene");
   EXPECT_EQ(message_of_other_keys({"numerics.shape=linear", "numerics.transfer=tpic", "numerics.order=musl",
-                                   "numerics.averaged_pressure=true"}),
+                                   "numerics.averaged_pressure=true", "numerics.mass_floor=1e-12"}),
             "is of another run: [numerics] shape is quadratic there and linear in the scene; [numerics] "
             "transfer is apic there and tpic in the scene; [numerics] order is usl there and musl in the "
-            "scene; [numerics] averaged_pressure is false there and true in the scene");
+            "scene; [numerics] averaged_pressure is false there and true in the scene; [numerics] mass_floor "
+            "is 1e-10 "
+            "there and 1e-12 in the scene");
 }
 
 /// Asked of the scenes, as not every build can begin a run whose viscosity is not explicit.
