@@ -1,7 +1,7 @@
-#include "scree/choices.hpp"
-#include "scree/chosen.hpp"
-#include "scree/output_fields.hpp"
-#include "scree/run.hpp"
+#include "scree/run/output_fields.hpp"
+#include "scree/run/run.hpp"
+#include "scree/scene/choices.hpp"
+#include "scree/scene/chosen.hpp"
 
 #include <scree/rheology/path/paths.hpp>
 #include <scree/transport/fluxes.hpp>

@@ -1,6 +1,6 @@
-#include "scree/path_file.hpp"
 #include "scree/plot.hpp"
-#include "scree/run.hpp"
+#include "scree/run/run.hpp"
+#include "scree/scene/path_file.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // Scenes of flow round an axis of symmetry.
 
 #include "scenes.hpp"
-#include "scree/coupling.hpp"
-#include "scree/make_stages.hpp"
-#include "scree/simulation.hpp"
+#include "scree/assemble/make_stages.hpp"
+#include "scree/run/coupling.hpp"
+#include "scree/run/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // What a person gets wrong in a scene, and what they are told: all of it, whole.
 
 #include "scenes.hpp"
-#include "scree/run.hpp"
-#include "scree/scene.hpp"
-#include "scree/simulation.hpp"
+#include "scree/run/run.hpp"
+#include "scree/run/simulation.hpp"
+#include "scree/scene/scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "cylinder.hpp"
 #include "scenes.hpp"
-#include "scree/simulation.hpp"
+#include "scree/run/simulation.hpp"
 
 #include <gtest/gtest.h>
 

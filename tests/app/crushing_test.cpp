@@ -1,8 +1,8 @@
 // A law that crushes grains, and the size classes that follow it.
 
 #include "scenes.hpp"
-#include "scree/simulation.hpp"
-#include "scree/summary.hpp"
+#include "scree/run/simulation.hpp"
+#include "scree/run/summary.hpp"
 
 #include <scree/grainsize/breakage.hpp>
 

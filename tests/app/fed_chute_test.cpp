@@ -1,7 +1,7 @@
 // A thin stream down a wall with friction, end to end.
 
 #include "scenes.hpp"
-#include "scree/simulation.hpp"
+#include "scree/run/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Dry grains down a slope, end to end: Bagnold's profile in closed form.
 
 #include "scenes.hpp"
-#include "scree/simulation.hpp"
+#include "scree/run/simulation.hpp"
 
 #include <gtest/gtest.h>
 

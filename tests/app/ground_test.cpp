@@ -1,8 +1,8 @@
 // Ground and bodies by their keys in a scene: surfaces as given, and motion with an exact solution.
 
-#include "scree/ground.hpp"
+#include "scree/assemble/ground.hpp"
 
-#include "scree/run.hpp"
+#include "scree/run/run.hpp"
 #include "surroundings.hpp"
 
 #include <scree/mpm/terrain/bed_nodes.hpp>

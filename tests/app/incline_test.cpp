@@ -2,7 +2,7 @@
 
 #include "incline.hpp"
 
-#include "scree/summary.hpp"
+#include "scree/run/summary.hpp"
 
 #include <gtest/gtest.h>
 

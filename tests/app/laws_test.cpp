@@ -1,6 +1,6 @@
 // Every constitutive law through the material point core.
 
-#include "scree/chosen.hpp"
+#include "scree/scene/chosen.hpp"
 
 #include <scree/mpm/seed.hpp>
 #include <scree/mpm/step.hpp>

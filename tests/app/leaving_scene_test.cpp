@@ -1,7 +1,7 @@
 // Points that leave the mesh, as a scene says: stopped, absorbed and counted, or thrown back.
 
-#include "scree/restart.hpp"
-#include "scree/summary.hpp"
+#include "scree/run/restart.hpp"
+#include "scree/run/summary.hpp"
 #include "surroundings.hpp"
 
 #include <fmt/format.h>

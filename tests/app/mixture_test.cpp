@@ -1,9 +1,9 @@
 // What laws read of a mix of grains: columns that follow the fractions of a run.
 
 #include "scenes.hpp"
-#include "scree/restart.hpp"
-#include "scree/simulation.hpp"
-#include "scree/summary.hpp"
+#include "scree/run/restart.hpp"
+#include "scree/run/simulation.hpp"
+#include "scree/run/summary.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

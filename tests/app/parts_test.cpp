@@ -1,8 +1,8 @@
 // The coupling's own arithmetic: closures on points, means, dimension by dimension.
 
 #include "scenes.hpp"
-#include "scree/axes.hpp"
-#include "scree/simulation.hpp"
+#include "scree/run/simulation.hpp"
+#include "scree/scene/axes.hpp"
 
 #include <gtest/gtest.h>
 

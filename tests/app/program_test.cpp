@@ -2,9 +2,9 @@
 
 #include "run_program.hpp"
 #include "scenes.hpp"
-#include "scree/restart.hpp"
-#include "scree/simulation.hpp"
-#include "scree/summary.hpp"
+#include "scree/run/restart.hpp"
+#include "scree/run/simulation.hpp"
+#include "scree/run/summary.hpp"
 
 #include <scree/io/frame_reader.hpp>
 

@@ -1,9 +1,9 @@
 // A run that goes on from its checkpoint is the unbroken run, bit for bit; and so is one on other threads.
 
-#include "scree/restart.hpp"
+#include "scree/run/restart.hpp"
 
 #include "scenes.hpp"
-#include "scree/traits.hpp"
+#include "scree/run/traits.hpp"
 
 #include <scree/io/bounds.hpp>
 #include <scree/io/checkpoint.hpp>

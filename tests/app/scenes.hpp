@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scree/scene.hpp"
+#include "scree/scene/scene.hpp"
 
 #include <string>
 #include <vector>

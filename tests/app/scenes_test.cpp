@@ -2,12 +2,12 @@
 
 #include "scenes.hpp"
 
-#include "scree/chosen.hpp"
-#include "scree/output_fields.hpp"
-#include "scree/run.hpp"
-#include "scree/simulation.hpp"
-#include "scree/stability.hpp"
-#include "scree/with_dimensions.hpp"
+#include "scree/run/output_fields.hpp"
+#include "scree/run/run.hpp"
+#include "scree/run/simulation.hpp"
+#include "scree/run/stability.hpp"
+#include "scree/scene/chosen.hpp"
+#include "scree/scene/with_dimensions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Steps and moduli with which points would fly are refused before a run begins.
 
-#include "scree/stability.hpp"
+#include "scree/run/stability.hpp"
 
-#include "scree/restart.hpp"
-#include "scree/simulation.hpp"
+#include "scree/run/restart.hpp"
+#include "scree/run/simulation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Runs that begin with the points of another run's checkpoint.
 
-#include "scree/stored_points.hpp"
+#include "scree/assemble/stored_points.hpp"
 
 #include "scenes.hpp"
-#include "scree/restart.hpp"
+#include "scree/run/restart.hpp"
 #include "surroundings.hpp"
 
 #include <gtest/gtest.h>

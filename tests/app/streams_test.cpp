@@ -1,8 +1,8 @@
 // Streams that enter and leave, as a scene says.
 
 #include "scenes.hpp"
-#include "scree/restart.hpp"
-#include "scree/summary.hpp"
+#include "scree/run/restart.hpp"
+#include "scree/run/summary.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "scenes.hpp"
-#include "scree/simulation.hpp"
+#include "scree/run/simulation.hpp"
 
 #include <gtest/gtest.h>
 

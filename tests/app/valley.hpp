@@ -1,8 +1,8 @@
 #pragma once
 
 #include "scenes.hpp"
-#include "scree/ground.hpp"
-#include "scree/simulation.hpp"
+#include "scree/assemble/ground.hpp"
+#include "scree/run/simulation.hpp"
 
 #include <gtest/gtest.h>
 

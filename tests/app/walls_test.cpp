@@ -1,8 +1,8 @@
 // Walls with friction, by their keys in a scene: every law of the list, and flows with exact solutions.
 
 #include "scenes.hpp"
-#include "scree/restart.hpp"
-#include "scree/simulation.hpp"
+#include "scree/run/restart.hpp"
+#include "scree/run/simulation.hpp"
 
 #include <scree/mpm/boundaries/wall_lines.hpp>
 #include <scree/mpm/terrain/bed_nodes.hpp>

@@ -1,4 +1,4 @@
-#include "scree/well_posedness.hpp"
+#include "scree/run/well_posedness.hpp"
 
 #include "scenes.hpp"
 

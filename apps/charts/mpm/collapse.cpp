@@ -1,6 +1,6 @@
 #include "../cpu_time.hpp"
 #include "problems.hpp"
-#include "scree/simulation.hpp"
+#include "scree/run/simulation.hpp"
 
 #include <scree/error.hpp>
 
