@@ -37,7 +37,9 @@ struct Numbering {
 
   /// The coordinate next to `coordinate`, one `step` of +1 or -1 along `axis`, round the end if need be.
   [[nodiscard]] Index beside(Index coordinate, int axis, Index step) const noexcept {
-    return (coordinate + step + size(axis)) % size(axis);
+    const Index target = coordinate + step;
+    if (target < 0) return size(axis) - 1;
+    return target == size(axis) ? 0 : target;
   }
 
   /// The neighbour of `site`, which has `coordinate` along `axis`; no_site past an end.

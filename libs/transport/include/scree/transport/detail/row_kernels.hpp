@@ -5,6 +5,7 @@
 #include <scree/transport/detail/row.hpp>
 #include <scree/transport/detail/tiles.hpp>
 #include <scree/transport/detail/unequal_cells.hpp>
+#include <scree/transport/face.hpp>
 #include <scree/transport/fields.hpp>
 
 #include <algorithm>
@@ -14,6 +15,52 @@
 // the same bits in both, and has everything inlined into it, so that it can be vectorised.
 
 namespace scree::transport::detail {
+
+/// Sites as they are stored.
+template <class Grid, int N>
+struct StoredSites {
+  static constexpr int num_components = N;
+
+  const Grid& grid;
+  const Fields<N>& fields;
+
+  [[nodiscard]] double density(Index site) const noexcept { return grid.density(site); }
+  [[nodiscard]] double value(std::size_t k, Index site) const noexcept {
+    return fields.data()[static_cast<Index>(k) * fields.stride() + site];
+  }
+};
+
+/// A copy of up to tile_width sites of a row, numbered from 0, and of their neighbours in it at both ends, -1
+/// and the number of sites: so that all of them have their neighbours beside them.
+template <int N>
+class RowCopy {
+ public:
+  static constexpr int num_components = N;
+
+  [[nodiscard]] double density(Index i) const noexcept { return rows_.row(N)[i]; }
+  [[nodiscard]] double value(std::size_t k, Index i) const noexcept {
+    return rows_.row(static_cast<int>(k))[i];
+  }
+
+  /// Copies `count` sites from `first` on, and those below and above; one that is no_site is empty.
+  template <class Grid>
+  void copy(const StoredSites<Grid, N>& sites, Index below, Index first, Index above, Index count) noexcept {
+    for (int k = 0; k < N; ++k) {
+      const double* source = sites.fields.data() + k * sites.fields.stride();
+      double* target = rows_.row(k);
+      std::copy_n(source + first, count, target);
+      target[-1] = below == no_site ? target[0] : source[below];
+      target[count] = above == no_site ? target[0] : source[above];
+    }
+    double* densities = rows_.row(N);
+    for (Index i = 0; i < count; ++i) densities[i] = sites.density(first + i);
+    densities[-1] = below == no_site ? 0.0 : sites.density(below);
+    densities[count] = above == no_site ? 0.0 : sites.density(above);
+  }
+
+ private:
+  Tile<N + 1> rows_{};
+};
 
 /// First of `count` consecutive sites, and of their neighbours on both sides along an axis; all three the
 /// same where a neighbour is missing.
@@ -30,25 +77,26 @@ struct StencilRow {
   }
 };
 
+template <class Ratios>
+StencilRow(Index, Index, Index, Index, Ratios) -> StencilRow<Ratios>;
+
 /// Values of the reconstruction at both faces of each site of a row.  Eqs. (T4) to (T6)
-template <class Grid, class R, int N, class Ratios>
-[[gnu::noinline, gnu::flatten]] void reconstruct(const Grid& grid, const R& reconstruction,
-                                                 const Fields<N>& fields, const StencilRow<Ratios>& row,
-                                                 double* __restrict low, double* __restrict high) noexcept {
+template <class Sites, class R, class Ratios>
+[[gnu::noinline, gnu::flatten]] void reconstruct(const Sites& sites, const R& reconstruction,
+                                                 const StencilRow<Ratios>& row, double* __restrict low,
+                                                 double* __restrict high) noexcept {
+  constexpr int N = Sites::num_components;
   using State = std::array<double, static_cast<std::size_t>(N)>;
-  const Index stride = fields.stride();
-  const double* u = fields.data();
 #pragma GCC ivdep
   for (Index i = 0; i < row.count; ++i) {
-    const bool is_inside = std::min(grid.density(row.below + i), grid.density(row.above + i)) > 0;
+    const bool is_inside = std::min(sites.density(row.below + i), sites.density(row.above + i)) > 0;
     State below;
     State here;
     State above;
     for_each_component<N>([&](std::size_t k) {
-      const double* component = u + static_cast<Index>(k) * stride;
-      here[k] = component[row.here + i];
-      below[k] = select(is_inside, component[row.below + i], here[k]);
-      above[k] = select(is_inside, component[row.above + i], here[k]);
+      here[k] = sites.value(k, row.here + i);
+      below[k] = select(is_inside, sites.value(k, row.below + i), here[k]);
+      above[k] = select(is_inside, sites.value(k, row.above + i), here[k]);
     });
     const Edges<State> edges = row.ratios.edges(reconstruction, below, here, above, i);
     for_each_component<N>([&](std::size_t k) {

@@ -18,17 +18,20 @@ struct Flow {
   const Problem& problem;
   const Fields<Problem::num_components>& fields;
   double time;  ///< of boundaries and sources [s]
+
+  [[nodiscard]] auto sites() const noexcept {
+    return StoredSites<typename Problem::Grid, Problem::num_components>{problem.grid, fields};
+  }
 };
 
 template <class Problem>
 using FluxTileOf = FluxTile<Problem::num_components, Diffusive<PointLawOf<typename Problem::Law>>>;
 
-template <class Problem, class Ratios>
-void reconstruct_row(const Flow<Problem>& flow, const StencilRow<Ratios>& row, double* low,
+template <class Sites, class R, class Ratios>
+void reconstruct_row(const Sites& sites, const R& reconstruction, const StencilRow<Ratios>& row, double* low,
                      double* high) noexcept {
   in_packs(row.count, [&](Index begin, Index count) {
-    reconstruct(flow.problem.grid, flow.problem.reconstruction, flow.fields, row.part(begin, count),
-                low + begin, high + begin);
+    reconstruct(sites, reconstruction, row.part(begin, count), low + begin, high + begin);
   });
 }
 

@@ -63,10 +63,10 @@ class SlabLayout {
   [[nodiscard]] Index num_lines(int axis) const noexcept {
     return numbering_.rows_per_layer(axis) * num_tiles();
   }
-  /// The number of the line that a tile of a row lies on; those of axis 1 come first, one row of them.
+  /// The number of the line that a tile of a row lies on; those of axis 1 come first, one row of them, then
+  /// those of axis 2, one row for each coordinate along axis 1.
   [[nodiscard]] std::size_t line(const Place& place, int axis, Index tile) const noexcept {
-    const Index before = axis == 1 ? 0 : 1;
-    const Index row = before + place.row % numbering_.rows_per_layer(axis);
+    const Index row = axis == 1 ? 0 : 1 + place.along(1);
     return static_cast<std::size_t>(row * num_tiles() + tile);
   }
   [[nodiscard]] bool starts_line(const Place& place, int axis) const noexcept {
@@ -81,13 +81,13 @@ class SlabLayout {
   }
   [[nodiscard]] const Numbering<D>& numbering() const noexcept { return numbering_; }
 
-  /// Sites of a row along axis 0, from the site with coordinate `from`.
-  [[nodiscard]] auto stencil_along(Index start, Index from, Index count) const noexcept {
-    return stencil_of(start + from, from, 0, count, geometry(0).ratios_along(from));
-  }
   /// Sites of a row that all have one `coordinate` along another axis.
   [[nodiscard]] auto stencil_across(Index here, Index coordinate, int axis, Index count) const noexcept {
-    return stencil_of(here, coordinate, axis, count, geometry(axis).ratios_across(coordinate));
+    const Index below = numbering_.neighbour(here, coordinate, axis, -1);
+    const Index above = numbering_.neighbour(here, coordinate, axis, 1);
+    StencilRow row{below, here, above, count, geometry(axis).ratios_across(coordinate)};
+    if (below == no_site || above == no_site) row.below = row.above = here;
+    return row;
   }
 
   /// Cuts sites begin .. end - 1 of a row into those with neighbours beside them and the row's end sites.
@@ -101,15 +101,6 @@ class SlabLayout {
  private:
   [[nodiscard]] Index rows_per_layer() const noexcept {
     return D == 1 ? 1 : numbering_.rows_per_layer(D - 1);
-  }
-
-  template <class Ratios>
-  [[nodiscard]] StencilRow<Ratios> stencil_of(Index here, Index coordinate, int axis, Index count,
-                                              Ratios ratios) const noexcept {
-    const Index below = numbering_.neighbour(here, coordinate, axis, -1);
-    const Index above = numbering_.neighbour(here, coordinate, axis, 1);
-    if (below == no_site || above == no_site) return {here, here, here, count, ratios};
-    return {below, here, above, count, ratios};
   }
 
   Numbering<D> numbering_;

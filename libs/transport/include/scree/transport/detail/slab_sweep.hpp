@@ -53,7 +53,8 @@ class SlabSweep {
     largest_speed_ = {};
     first_found_ = no_site;
     const Flow flow{problem, fields, time};
-    for (Index row = layout_.first_row(); row < layout_.end_row(); ++row) {
+    const Index end = layout_.end_row();
+    for (Index row = layout_.first_row(); row < end; ++row) {
       const Place place = layout_.place_of(row);
       sweep_along_row(flow, place);
       for (int axis = 1; axis < D; ++axis) {
@@ -101,23 +102,30 @@ class SlabSweep {
     detail::flux_out(flow, {site, first, count, axis, end, distance}, flux, largest_speed_);
   }
 
-  /// Reconstruction at the sites of one tile of a row along the row itself; its end sites have neighbours
-  /// of their own.
-  void reconstruct_tile(const Flow& flow, Index start, Index tile) noexcept {
-    const Index begin = tile * tile_width;
-    const auto part = [&](Index from, Index to) {
-      if (from >= to) return;
-      reconstruct_row(flow, layout_.stencil_along(start, from, to - from), low_.row(0) + (from - begin),
-                      high_.row(0) + (from - begin));
-    };
-    layout_.for_each_part(begin, begin + layout_.count_of(tile), part);
+  /// Reconstruction along a row, at `count` of its sites from coordinate `from` on.
+  void reconstruct_along(const Flow& flow, Index start, Index from, Index count, double* low,
+                         double* high) noexcept {
+    const Index first = start + from;
+    const Index last = from + count - 1;
+    row_copy_.copy(flow.sites(), layout_.numbering().neighbour(first, from, 0, -1), first,
+                   layout_.numbering().neighbour(start + last, last, 0, 1), count);
+    reconstruct_row(row_copy_, flow.problem.reconstruction,
+                    StencilRow{-1, 0, 1, count, layout_.geometry(0).ratios_along(from)}, low, high);
+  }
+
+  /// Reconstruction at `count` sites of a row along another axis, on which all have one `coordinate`.
+  void reconstruct_across(const Flow& flow, Index here, Index coordinate, int axis, Index count, double* low,
+                          double* high) noexcept {
+    reconstruct_row(flow.sites(), flow.problem.reconstruction,
+                    layout_.stencil_across(here, coordinate, axis, count), low, high);
   }
 
   /// Fluxes through the low faces of all sites of a row along the row, and through its last high face.
   void sweep_along_row(const Flow& flow, const Place& place) noexcept {
     for (Index tile = 0; tile < layout_.num_tiles(); ++tile) {
       carry_over();
-      reconstruct_tile(flow, place.start, tile);
+      reconstruct_along(flow, place.start, tile * tile_width, layout_.count_of(tile), low_.row(0),
+                        high_.row(0));
       if (tile == 0) start_row(flow, place);
       const Index skipped = tile == 0 ? 1 : 0;
       const Index from = tile * tile_width + skipped;
@@ -146,7 +154,11 @@ class SlabSweep {
     double* flux = row_fluxes_[0].row(0);
     if (!layout_.is_periodic(0)) return flux_out(flow, place.site, place.start, 1, 0, End::low, flux);
     const Index last = layout_.last();
-    reconstruct_row(flow, layout_.stencil_along(place.start, last, 1), unwanted_.row(0), high_.row(0) - 1);
+    if (layout_.num_tiles() == 1) {
+      for (int k = 0; k < N; ++k) high_.row(k)[-1] = high_.row(k)[last];
+    } else {
+      reconstruct_along(flow, place.start, last, 1, unwanted_.row(0), high_.row(0) - 1);
+    }
     const FaceRow row{place.start + last, place.start, 1, 0, layout_.geometry(0).distances_along(0)};
     flux_through_row(flow, row, high_.row(0) - 1, low_.row(0), flux, largest_speed_);
   }
@@ -168,23 +180,22 @@ class SlabSweep {
       const Index here = place.start + tile * tile_width;
       const Index count = layout_.count_of(tile);
       Line& first = *line(place, axis, tile);
-      reconstruct_row(flow, layout_.stencil_across(here, coordinate, axis, count), low_.row(0),
-                      first.high.row(0));
+      reconstruct_across(flow, here, coordinate, axis, count, low_.row(0), first.high.row(0));
       const Index below = layout_.numbering().neighbour(here, coordinate, axis, -1);
       if (below == no_site) {
         flux_out(flow, layout_.site_of(place, tile), here, count, axis, End::low, first.flux.row(0));
         continue;
       }
       const Index coordinate_below = layout_.numbering().beside(coordinate, axis, -1);
-      reconstruct_row(flow, layout_.stencil_across(below, coordinate_below, axis, count), unwanted_.row(0),
-                      high_.row(0));
+      reconstruct_across(flow, below, coordinate_below, axis, count, unwanted_.row(0), high_.row(0));
       const FaceRow row{below, here, count, axis, layout_.geometry(axis).distance_across(coordinate)};
       flux_through_row(flow, row, high_.row(0), low_.row(0), first.flux.row(0), largest_speed_);
     }
   }
 
   /// Flux through the high faces of a tile along `axis`, which are the low faces of the next row.
-  void advance_line(const Flow& flow, const Place& place, int axis, Index tile, Line& next) noexcept {
+  void advance_line(const Flow& flow, const Place& place, int axis, Index tile, const Line& current,
+                    Line& next) noexcept {
     const Index coordinate = place.along(axis);
     const Index here = place.start + tile * tile_width;
     const Index count = layout_.count_of(tile);
@@ -192,12 +203,10 @@ class SlabSweep {
     if (above == no_site) {
       return flux_out(flow, layout_.site_of(place, tile), here, count, axis, End::high, next.flux.row(0));
     }
-    reconstruct_row(
-        flow, layout_.stencil_across(above, layout_.numbering().beside(coordinate, axis, 1), axis, count),
-        low_.row(0), next.high.row(0));
+    reconstruct_across(flow, above, layout_.numbering().beside(coordinate, axis, 1), axis, count, low_.row(0),
+                       next.high.row(0));
     const FaceRow row{here, above, count, axis, layout_.geometry(axis).distance_across(coordinate + 1)};
-    flux_through_row(flow, row, line(place, axis, tile)->high.row(0), low_.row(0), next.flux.row(0),
-                     largest_speed_);
+    flux_through_row(flow, row, current.high.row(0), low_.row(0), next.flux.row(0), largest_speed_);
   }
 
   /// Adds up what goes out of the sites of a tile through all their faces.
@@ -208,11 +217,12 @@ class SlabSweep {
         layout_.geometry(0).fluxes_along(along_row, along_row + 1, tile * tile_width), {}, sources_.row(0)};
     for (int axis = 1; axis < D; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
+      std::unique_ptr<Line>& current = line(place, axis, tile);
       std::unique_ptr<Line>& next = spare_[a - 1];
-      advance_line(flow, place, axis, tile, *next);
-      std::swap(next, line(place, axis, tile));
-      fluxes.across[a - 1] = layout_.geometry(axis).fluxes_across(
-          next->flux.row(0), line(place, axis, tile)->flux.row(0), place.site[a]);
+      advance_line(flow, place, axis, tile, *current, *next);
+      fluxes.across[a - 1] =
+          layout_.geometry(axis).fluxes_across(current->flux.row(0), next->flux.row(0), place.site[a]);
+      std::swap(current, next);
     }
     if constexpr (has_walls) {
       fluxes.along.walls = find_walls(flow, place, 0, tile);
@@ -279,6 +289,7 @@ class SlabSweep {
   std::vector<Fluxes> row_fluxes_;            // of the row in hand, along it
   std::vector<std::unique_ptr<Line>> lines_;  // of the axes across the rows
   std::array<std::unique_ptr<Line>, static_cast<std::size_t>(D - 1)> spare_;
+  RowCopy<N> row_copy_{};  // of the tile in hand
   Tile<N> low_{};
   Tile<N> high_{};
   Tile<N> unwanted_{};

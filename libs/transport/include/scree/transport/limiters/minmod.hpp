@@ -5,7 +5,6 @@
 #include <scree/transport/concepts.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace scree::transport {
 
@@ -27,9 +26,9 @@ class Minmod {
   }
 
   [[nodiscard]] double operator()(double backward, double forward) const noexcept {
-    const double gentlest = theta_ * std::min(std::abs(backward), std::abs(forward));
-    const double slope = std::copysign(std::min(gentlest, std::abs(backward + forward) / 2), forward);
-    return (backward > 0) == (forward > 0) ? slope : 0.0;
+    const double lowest = std::min(0.0, theta_ * std::max(backward, forward));
+    const double highest = std::max(0.0, theta_ * std::min(backward, forward));
+    return std::min(std::max((backward + forward) / 2, lowest), highest);
   }
 
   [[nodiscard]] double sharpness() const noexcept { return theta_; }
