@@ -24,6 +24,7 @@ struct Flight {
       particles.column(kinds).component(1)[p] = p % 2 == 0 ? 0.75 : 0;
     }
     stages = stages_of<D, D>(particles, Quadratic{}, Apic{});
+    stages.mass_floor = 0;  // [-]: else what lighter nodes than that get of lone points is lost
     state = std::make_unique<State<D, D>>(start(std::move(particles), grid, stages, {1}));
   }
   [[nodiscard]] double carried(int kind) const {
