@@ -1,3 +1,6 @@
+# Exact sums stay exact, NaN stays visible: no -ffast-math. Contraction and errno-free sqrt are safe.
+set(SCREE_ARITHMETIC -ffp-contract=fast -fno-math-errno -fno-trapping-math)
+
 include(precompiled_eigen)
 include(warnings)
 include(GNUInstallDirs)
@@ -15,8 +18,7 @@ function(scree_library name)
   target_sources(${target} PRIVATE ${arg_SOURCES}
                  PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${headers})
   target_compile_features(${target} PUBLIC cxx_std_20)
-  # Exact sums stay exact, NaN stays visible: no -ffast-math. Contraction and errno-free sqrt are safe.
-  target_compile_options(${target} PRIVATE -ffp-contract=fast -fno-math-errno -fno-trapping-math)
+  target_compile_options(${target} PRIVATE ${SCREE_ARITHMETIC})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(${target} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK})
   scree_warnings(${target})

@@ -147,10 +147,11 @@ TEST(StressUpdate, NamesThePointWhoseMemoryIsNotThatOfAPlane) {
   sheared.particles.column(column).component(0)[3] = 2;
   sheared.particles.id.component(0)[3] = 12;
 
-  const auto complaint = message_of<InputError>([&] { update.require_inputs(sheared.particles); });
+  const auto complaint = message_of<InputError>([&] { update.require_memory(sheared.particles); });
 
   EXPECT_EQ(complaint,
-            "the law 'counting' reads steps_along_z = 2 of material point 12 at (0, 0) m: must be 0");
+            "the law 'counting' reads steps_along_z (which a flow in a plane lacks) = 2 of material point 12 "
+            "at (0, 0) m: must be 0");
 }
 
 TEST(StressUpdate, NamesTheColumnThatALawMisses) {

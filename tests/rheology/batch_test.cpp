@@ -4,6 +4,7 @@
 #include "points.hpp"
 
 #include <scree/rheology/batch.hpp>
+#include <scree/rheology/laws/drucker_prager.hpp>
 #include <scree/rheology/laws/kinetic_theory.hpp>
 #include <scree/rheology/laws/mu_of_i.hpp>
 #include <scree/rheology/laws/newtonian.hpp>
@@ -226,6 +227,23 @@ TEST(ValidateColumns, NamesColumnValuePointAndRange) {
   beads.size.pop_back();
   EXPECT_EQ(refusal([&] { validate_columns(beads.columns()); }),
             "the law 'mu_of_i' is given 12 numbers as grain_size: must be 13, as many as of density");
+}
+
+/// Which the form of a law for a plane does not read.
+TEST(ValidateColumns, RefusesMemoryThatAPlaneLacks) {
+  const std::vector<double> numbers(8, 0.01);
+  std::vector<double> memory(8, 0.01);
+  LawColumns<DruckerPrager> columns;
+  for (const std::size_t i : {0U, 1U, 3U, 4U, 8U}) columns.velocity_gradient[i] = numbers;
+  columns.density = numbers;
+  columns.states.fill(memory);
+  columns.stress.fill(memory);
+  const auto refused = [&] { return refusal([&] { validate_columns(columns); }); };
+
+  EXPECT_EQ(refused(), "the law 'drucker_prager' reads elastic_stretch_xz = 0.01 of point 0: must be 0");
+  std::vector<double> none(8);
+  columns.states[4] = columns.states[5] = none;
+  EXPECT_EQ(refused(), "");
 }
 
 /// What is not checked in each call, and the remedy: a NaN reaches the stress of its own point, and of no

@@ -195,9 +195,25 @@ TYPED_TEST(HalfLogarithm, IsNoNumberWhereThereIsNone) {
     EXPECT_TRUE(std::isnan(half_logarithm_of<TypeParam>(b)(1, 1))) << spoilt;
   }
   EXPECT_TRUE(std::isnan(half_logarithm_of<TypeParam>(isotropic(-1.0))(1, 1)));
-  // Its cofactors are too large for numbers.
-  EXPECT_NEAR(half_logarithm_of<TypeParam>(isotropic(1e150))(0, 0), 75 * std::log(10.0),
-              75 * std::log(10.0) * 4 * round_off);
+}
+
+/// Of one size, of two in the plane, and of one size there: products of them are numbers of any size.
+TYPED_TEST(HalfLogarithm, IsPreciseForEigenvaluesOfAnySize) {
+  for (const double size : {1e-12, 1e-3, 0.0123, 1e3, 1e150}) {
+    const double expected = std::log(size) / 2;
+    const double tolerance = 8 * round_off * std::abs(expected);  // of a product or two in a logarithm
+    const auto of_one = half_logarithm_of<TypeParam>(isotropic(size));
+    const auto of_two = half_logarithm_of<TypeParam>({{size, 0, 0, 0, 1 / size, 0, 0, 0, 1}});
+    const auto in_plane = half_logarithm_of<TypeParam>({{size, 0, 0, 0, size, 0, 0, 0, 1 / size}});
+    for (const std::size_t i : {0U, 1U}) {
+      EXPECT_NEAR(of_one(i, i), expected, tolerance) << size;
+      EXPECT_NEAR(of_two(i, i), i == 0 ? expected : -expected, tolerance) << size;
+      EXPECT_NEAR(in_plane(i, i), expected, tolerance) << size;
+    }
+    EXPECT_NEAR(of_one(2, 2), expected, tolerance) << size;
+    EXPECT_NEAR(of_two(2, 2), 0, tolerance) << size;
+    EXPECT_NEAR(in_plane(2, 2), -expected, tolerance) << size;
+  }
 }
 
 /// The slope of ln(b)/2 as b changes by a tensor that commutes with b is half of that times the inverse of b;

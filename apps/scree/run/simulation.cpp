@@ -42,6 +42,7 @@ template <int D, int V>
   if (scene.material.stored) {
     take_stored(scene, particles);
     stages.stress->require_inputs(particles);
+    stages.stress->require_memory(particles);
     if (stages.node_means) stages.node_means->require_inputs(particles);
   } else {
     require_stiff(scene, filling, stages, particles);
@@ -68,6 +69,7 @@ void require_layers(const std::vector<mpm::Inflow<D, V>>& inflows, const mpm::Pa
     try {
       mpm::require_columns(particles, layer);
       stages.stress->require_inputs(layer);
+      stages.stress->require_memory(layer);
       if (stages.node_means) stages.node_means->require_inputs(layer);
     } catch (const InputError& error) {
       throw InputError{"[[inflow]] " + std::to_string(i + 1) + ": " + error.what()};

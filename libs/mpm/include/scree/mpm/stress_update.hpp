@@ -57,10 +57,14 @@ class StressUpdate {
   /// @throws RunError naming the law if it has no such density.
   [[nodiscard]] virtual double density_at(const Particles<D, V>& particles, Index p, double wanted) const = 0;
 
-  /// Checks what the law reads of each point that has mass, for when inputs have changed; and that a memory
-  /// which a flow in a plane lacks is 0.
+  /// Checks what the law reads of each point that has mass; for when inputs have changed.
   /// @throws InputError as require_in_range() does.
   virtual void require_inputs(const Particles<D, V>& particles) const = 0;
+
+  /// Checks that memory which a flow in a plane lacks, and its form of a law does not read, is 0; for when
+  /// memory comes from elsewhere.
+  /// @throws InputError as require_in_range() does.
+  virtual void require_memory(const Particles<D, V>& particles) const = 0;
 
   /// What the points begin..end-1 as they are would bound a step by; changes nothing.
   [[nodiscard]] virtual BlockStiffness stiffness(const Particles<D, V>& particles, Index begin,
@@ -92,7 +96,7 @@ class StressUpdateBy final : public StressUpdate<D, V> {
     for (std::size_t i = 0; i < num_inputs; ++i) {
       inputs_[i] = input_column(particles, Law::inputs[i]);
     }
-    require_input_ranges(particles);
+    StressUpdateBy::require_inputs(particles);
     for (std::size_t i = 0; i < num_states; ++i) {
       states_[i] = state_column(particles, Law::states[i]);
     }
@@ -109,12 +113,18 @@ class StressUpdateBy final : public StressUpdate<D, V> {
   }
 
   void require_inputs(const Particles<D, V>& particles) const override {
-    require_input_ranges(particles);
+    for (std::size_t i = 0; i < num_inputs; ++i) {
+      require_in_range(particles, inputs_[i], Law::inputs[i], Law::name);
+    }
+  }
+
+  void require_memory([[maybe_unused]] const Particles<D, V>& particles) const override {
     if constexpr (HasPlaneForm<Law> && V < 3) {
       for (std::size_t i = 0; i < num_states; ++i) {
         if (std::ranges::find(Law::plane_states, i) != Law::plane_states.end()) continue;
-        const InputColumn none{Law::states[i].name, Law::states[i].unit, 0, Interval{0, 0, false}};
-        require_in_range(particles, states_[i], none, Law::name);
+        const std::string name = std::string{Law::states[i].name} + " (which a flow in a plane lacks)";
+        require_in_range(particles, states_[i], {name, Law::states[i].unit, 0, Interval{0, 0, false}},
+                         Law::name);
       }
     }
   }
@@ -181,12 +191,6 @@ class StressUpdateBy final : public StressUpdate<D, V> {
   };
   static constexpr std::size_t num_inputs = Law::inputs.size();
   static constexpr std::size_t num_states = Law::states.size();
-
-  void require_input_ranges(const Particles<D, V>& particles) const {
-    for (std::size_t i = 0; i < num_inputs; ++i) {
-      require_in_range(particles, inputs_[i], Law::inputs[i], Law::name);
-    }
-  }
 
   [[nodiscard]] static std::size_t input_column(const Particles<D, V>& particles, const InputColumn& input) {
     const std::string law = "the law '" + std::string{Law::name} + "'";

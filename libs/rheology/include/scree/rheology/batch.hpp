@@ -16,7 +16,8 @@ namespace scree::rheology {
 /// Any number of points under one law, a column of one number per point for everything. Components that a
 /// flow does not have may share a column of zeros; no column that is written overlaps another. In a plane, or
 /// of axial symmetry, the gradients xz, yz, zx and zy are left empty, and so may be the stresses xz and yz:
-/// then a law runs by its form for that, if it has one.
+/// then a law runs by its form for that, if it has one, and memory that a plane lacks, which must be 0, is
+/// neither read nor written.
 template <class Law>
 struct LawColumns {
   std::array<std::span<const double>, 9> velocity_gradient{};        ///< L, row by row [1/s]
@@ -157,7 +158,7 @@ BlockStiffness update_batch(const Law& law, const LawColumns<Law>& columns, doub
 }
 
 /// Checks every number that a batch reads: velocity gradients and states are finite, densities positive,
-/// inputs in the ranges that the law declares.
+/// inputs in the ranges that the law declares; in a plane, memory that it lacks is 0.
 /// @throws InputError naming law, column, value, point and range of the first that is not; law, column and
 /// both lengths if a column is not as long as that of the density.
 template <ConstitutiveLaw Law>
@@ -173,8 +174,15 @@ void validate_columns(const LawColumns<Law>& columns) {
   for (std::size_t i = 0; i < Law::inputs.size(); ++i) {
     detail::require_values(Law::name, Law::inputs[i], columns.inputs[i]);
   }
+  const auto range_of = [&]([[maybe_unused]] std::size_t state) {
+    if constexpr (HasPlaneForm<Law>) {
+      const bool is_in_plane = std::ranges::find(Law::plane_states, state) != Law::plane_states.end();
+      if (detail::is_plane(columns) && !is_in_plane) return Interval{0, 0, false};
+    }
+    return finite;
+  };
   for (std::size_t i = 0; i < Law::states.size(); ++i) {
-    detail::require_values(Law::name, {Law::states[i].name, Law::states[i].unit, 0, finite},
+    detail::require_values(Law::name, {Law::states[i].name, Law::states[i].unit, 0, range_of(i)},
                            columns.states[i]);
   }
 }

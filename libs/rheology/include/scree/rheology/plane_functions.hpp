@@ -54,7 +54,7 @@ template <class Real>
   constexpr double reach_of_u = 0.15;  // beyond it
   const PlaneSymmetric<Real> excess{b.xx - 1.0, b.yy - 1.0, b.zz - 1.0, b.xy};
   const Real middle = 0.5 * (excess.xx + excess.yy);
-  const Real difference = 0.5 * (excess.xx - excess.yy);
+  const Real difference = 0.5 * (b.xx - b.yy);
   const Real square = difference * difference + b.xy * b.xy;
   const Real change = 2.0 * middle + middle * middle - square;  // of the determinant in the plane
   // One quotient for all three.
@@ -73,15 +73,16 @@ template <class Real>
   Real slope = detail::inverse_tanh_over(u_square);
   const auto is_far = !(squared_norm(excess) <= reach * reach);
   if (detail::in_any_lane(is_far)) [[unlikely]] {
-    const Real determinant = 1.0 + change;
-    const Real positive =
-        select(of_difference < 0.0, of_difference, determinant);  // NaN if both are negative
+    // By b itself: b - 1 is not exact there, nor of the size of a small eigenvalue.
+    const Real half_trace = 0.5 * (b.xx + b.yy);
+    const Real determinant = b.xx * b.yy - b.xy * b.xy;
+    const Real positive = select(half_trace < 0.0, half_trace, determinant);  // NaN if both are negative
     mean = select(is_far, 0.25 * elementary::log(positive), mean);
     zz = select(is_far, 0.5 * elementary::log(b.zz), zz);
-    per_difference = select(is_far, 1.0 / of_difference, per_difference);  // of numbers of any size
+    per_difference = select(is_far, 1.0 / half_trace, per_difference);
     u_square = select(is_far, square * (per_difference * per_difference), u_square);
-    const Real u = sqrt(u_square);
-    const Real by_logarithm = 0.5 * elementary::log((1.0 + u) / (1.0 - u)) / u;
+    const Real larger = half_trace + sqrt(square);
+    const Real by_logarithm = 0.5 * elementary::log(larger * (larger / determinant)) / sqrt(u_square);
     slope = select(reach_of_u * reach_of_u < u_square, by_logarithm, detail::inverse_tanh_over(u_square));
   }
   const Real factor = 0.5 * per_difference * slope;
