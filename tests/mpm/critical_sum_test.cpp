@@ -83,6 +83,20 @@ TEST(CriticalSum, AsksForPointsThatHaveAPlaceAndMass) {
   EXPECT_EQ(sums_of(massless), "critical_sums: there must be a point with mass");
 }
 
+TEST(CriticalSum, IsOfFilteredVelocitiesWhereAStepFiltersThem) {  // Eq. (M182)
+  const auto message = [](const AnyTransfer& transfer) {
+    return message_of<InputError>([&] {
+      static_cast<void>(critical_sum_of({.shape = Linear{}, .transfer = transfer, .xpic_order = 2}));
+    });
+  };
+  const std::string expected =
+      "filtered velocities: their critical step is known of pic_flip with increment_share = 1 only";
+
+  EXPECT_EQ(message(PicFlip{0.9}), expected);
+  EXPECT_EQ(message(Aflip{1}), expected);
+  EXPECT_EQ(message(Apic{}), expected);
+}
+
 /// Of two axes the one along which it is shorter: 2 h/c and, on twice the spacing, 0.5 h'/c = h/c.
 TEST(CriticalStep, IsThatOfTheAxisThatBinds) {
   constexpr double spacing = Bar::spacing;

@@ -31,6 +31,9 @@ struct Passing {
 [[nodiscard]] Passing passing_of(const AnyTransfer& transfer, int xpic_order) {
   return std::visit(
       [xpic_order](const auto& rule) {
+        require(
+            xpic_order == 0 || (!rule.has_affine && rule.increment_share() == 1),
+            "filtered velocities: their critical step is known of pic_flip with increment_share = 1 only");
         return Passing{rule.has_affine, rule.has_affine_gradient, rule.increment_share(), xpic_order};
       },
       transfer);

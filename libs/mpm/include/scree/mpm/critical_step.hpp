@@ -16,8 +16,9 @@ namespace scree::mpm {
 /// across the mesh are not seen: in two and three dimensions theirs may be lower, which is left to (M17) and
 /// (M19). Places are taken to a thousandth of a cell. Takes a pass over the points for each axis: for when a
 /// run is assembled, and now and then.
-/// @param xpic_order of the filter of velocities, of a transfer that takes one; 0: there is none
-/// @throws InputError naming a point without a finite position, or if no point has mass.
+/// @param xpic_order of the filter of velocities, of PicFlip with all of the increment; 0: there is none
+/// @throws InputError naming a point without a finite position, or if no point has mass, or velocities are
+/// filtered under another transfer.
 /// @see Eqs. (M173), (M174), (M182)
 template <int D, int V>
 [[nodiscard]] Vector<D> critical_sums(const Particles<D, V>& particles, const CartesianGrid<D>& grid,
@@ -37,9 +38,10 @@ template <int D>
 /// by the mean over points of what each adds to a wave's stiffness where it lies. Never less than
 /// critical_step() of the largest rates, State::rates, and that if all points have them. Infinite without
 /// sound and viscosity. Of waves that all nodes take part in, those that walls hold too; derived for points
-/// of equal mass in a lattice, and under Apic and Order::usl for any. Takes a pass over the points for each
-/// axis.  Eq. (M199)
-/// @throws InputError naming a point without a finite position.
+/// of equal mass in a lattice, and under Apic and Order::usl for any; else found, and but for Order::usl not
+/// where points lie in pairs, which may bear more. Takes a pass over the points for each axis.  Eq. (M199)
+/// @throws InputError naming a point without a finite position, or if velocities are filtered under another
+/// transfer than PicFlip with all of the increment.
 template <int D, int V>
 [[nodiscard]] double unstable_step(const Particles<D, V>& particles, const StressUpdate<D, V>& stress,
                                    const CartesianGrid<D>& grid, const AnyShape& shape,
