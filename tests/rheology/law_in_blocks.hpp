@@ -7,11 +7,15 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace scree::rheology {
+
+/// Of components in a tensor, row by row.
+using Places = std::span<const std::size_t>;
 
 /// Points with a column for each number: L row by row, density, inputs, states, then the stress row by row.
 using Numbers = std::vector<std::vector<double>>;
@@ -33,7 +37,9 @@ struct LawInBlocks {
   /// Updates points over a step [s], by the kernel for a set; in a plane only the components that it has are
   /// read and written.
   std::function<BlockStiffness(InstructionSet, Numbers&, double dt, bool is_plane)> update;
-  /// The same, in doubles.
+  /// The same where components of the gradient are absent, and those of the stress not wanted.
+  std::function<BlockStiffness(InstructionSet, Numbers&, double dt, Places absent)> update_without;
+  /// As `update`, in doubles.
   std::function<BlockStiffness(Numbers&, double dt, bool is_plane)> update_by_points;
   /// The same of the first points of the columns, any number of them; of the stress above its diagonal.
   std::function<BlockStiffness(InstructionSet, Numbers&, std::size_t num_points, double dt, bool is_plane)>

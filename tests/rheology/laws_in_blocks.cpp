@@ -13,8 +13,12 @@ namespace scree::rheology {
 
 namespace {
 
+[[nodiscard]] Places absent_from(bool is_plane) {
+  return is_plane ? Places{out_of_plane} : Places{};
+}
+
 template <class Law>
-[[nodiscard]] LawBlock<Law> block_of(Numbers& numbers, bool is_plane) {
+[[nodiscard]] LawBlock<Law> block_of(Numbers& numbers, Places absent) {
   LawBlock<Law> block;
   block.num_points = static_cast<Index>(numbers.front().size());
   std::size_t column = 10;
@@ -22,7 +26,7 @@ template <class Law>
   for (auto& input : block.inputs) input = numbers[column++].data();
   for (auto& state : block.states) state = numbers[column++].data();
   for (std::size_t i = 0; i < 9; ++i, ++column) {
-    if (is_plane && is_out_of_plane(i)) continue;
+    if (std::ranges::find(absent, i) != absent.end()) continue;
     block.velocity_gradient[i] = {numbers[i].data(), 1};
     block.stress[i] = numbers[column].data();
   }
@@ -65,10 +69,13 @@ template <class Law>
   result.has_plane_form = HasPlaneForm<Law>;
   result.has_kernel = [law](InstructionSet set) { return block_kernel(law, set) != nullptr; };
   result.update = [law](InstructionSet set, Numbers& numbers, double dt, bool is_plane) {
-    return block_kernel(law, set)(law, block_of<Law>(numbers, is_plane), dt);
+    return block_kernel(law, set)(law, block_of<Law>(numbers, absent_from(is_plane)), dt);
+  };
+  result.update_without = [law](InstructionSet set, Numbers& numbers, double dt, Places absent) {
+    return block_kernel(law, set)(law, block_of<Law>(numbers, absent), dt);
   };
   result.update_by_points = [law](Numbers& numbers, double dt, bool is_plane) {
-    return update_block<double>(law, block_of<Law>(numbers, is_plane), dt);
+    return update_block<double>(law, block_of<Law>(numbers, absent_from(is_plane)), dt);
   };
   result.update_batch = [law](InstructionSet set, Numbers& numbers, std::size_t num_points, double dt,
                               bool is_plane) {
