@@ -179,6 +179,20 @@ TEST(BadCheckpoint, OfAnotherMeshOrSchemeIsRefusedWithAllThatDiffers) {
             "there and 1e-12 in the scene");
 }
 
+/// What a run without the key had is its default.
+TEST(Restart, TakesAMassFloorThatIsNotToldForTheDefault) {
+  const std::string line = "[numerics] mass_floor = 1e-10\n";
+  Scene scene = scene_of("granular_column_collapse");
+  std::string there = traits_text(traits_of_run(scene));
+  ASSERT_NE(there.find(line), std::string::npos) << there;
+  there.erase(there.find(line), line.size());
+
+  EXPECT_EQ(difference(there, traits_of_run(scene)), "");
+  scene.mass_floor = 1e-12;
+  EXPECT_EQ(difference(there, traits_of_run(scene)),
+            "[numerics] mass_floor is 1e-10 there and 1e-12 in the scene");
+}
+
 /// Asked of the scenes, as not every build can begin a run whose viscosity is not explicit.
 TEST(BadCheckpoint, OfAnotherViscosityIsRefused) {
   const Scene there = scene_of("granular_column_collapse", {"numerics.shape=linear"});

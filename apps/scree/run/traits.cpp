@@ -43,7 +43,8 @@ void add_scheme(const Scene& scene, std::vector<Trait>& traits) {
       {"[numerics] order", std::string{mpm::order_names[static_cast<std::size_t>(scene.order)]}});
   traits.push_back({"[numerics] averaged_volume_change", fmt::format("{}", scene.averaging.volume_change)});
   traits.push_back({"[numerics] averaged_pressure", fmt::format("{}", scene.averaging.pressure)});
-  traits.push_back({"[numerics] mass_floor", fmt::format("{}", scene.mass_floor)});
+  traits.push_back(
+      {"[numerics] mass_floor", fmt::format("{}", scene.mass_floor), fmt::format("{}", Scene{}.mass_floor)});
   traits.push_back({"[numerics] viscosity", scheme_name(scene.viscosity)});
 }
 
@@ -105,7 +106,7 @@ std::string difference(const std::string& text, const std::vector<Trait>& traits
     const auto found = lines.find(start);
     const auto first = found + start.size();
     const std::string there =
-        found == std::string::npos ? "not set" : lines.substr(first, lines.find('\n', first) - first);
+        found == std::string::npos ? trait.if_absent : lines.substr(first, lines.find('\n', first) - first);
     if (there == trait.value) continue;
     differences += fmt::format("{}{} is {} there and {} in the scene", differences.empty() ? "" : "; ",
                                trait.key, there, trait.value);

@@ -9,8 +9,9 @@ namespace scree::app {
 
 /// Something of a scene without which the numbers of a checkpoint mean nothing: a key and what it is set to.
 struct Trait {
-  std::string key;    ///< "[mesh] cells"
-  std::string value;  ///< "12"
+  std::string key;                    ///< "[mesh] cells"
+  std::string value;                  ///< "12"
+  std::string if_absent = "not set";  ///< what a checkpoint without the key was run with
 };
 
 /// What the columns of points depend on: dimensions, symmetry, law, classes of grains.
