@@ -223,6 +223,39 @@ TEST(BadBody, WayIsToldByTimesAndPlacesInPlaceOfAVelocity) {
             "scene.toml:29: [bodies 1] x = [0.2, 0.3]: needs the times at which the pivot is there");
 }
 
+/// Read back as it is printed: that of six digits would not begin there.
+TEST(BadBody, WayBeginsAtThePivotToTheBit) {
+  const std::string precise = with(ball, "[0.2, 0.1]", "[0.2, 0.12345678]");
+
+  EXPECT_EQ(message_of_block(precise + "times = [0, 1]\ny = [0.123457, 0.2]\n"),
+            "scene.toml:30: [bodies 1] y = [0.123457, 0.2]: must begin at the pivot, 0.12345678");
+}
+
+/// Whose pivot is then not known.
+TEST(BadBody, WayOfAFaultyShapeIsNotBlamed) {
+  const std::string way = "times = [0, 1]\nx = [0.2, 0.3]\n";
+
+  EXPECT_EQ(
+      message_of_block(with(ball, "\"ball\"\ncentre = [0.2, 0.1]\nradius = 0.04", "\"bal\"") + way),
+      "scene.toml:25: [bodies 1] surface = \"bal\": expected one of ball, plane, stl (form of the body), "
+      "did you mean 'ball'?");
+  EXPECT_EQ(message_of_block(with(ball, "[0.2, 0.1]", "[0.2]") + way),
+            "scene.toml:26: [bodies 1] centre = [0.2]: expected 2 values (of the ball [m]), got 1");
+}
+
+TEST(BadBody, StartAndStopBesideAWayAreOfATurn) {
+  const std::string way = ball + "times = [0, 1]\nx = [0.2, 0.3]\n";
+
+  EXPECT_EQ(message_of_block(way + "start = 0.5\n"),
+            "scene.toml:31: [bodies 1] start = 0.5: is of the turn alone beside times: give an "
+            "angular_velocity, or leave it out");
+  EXPECT_EQ(message_of_block(way + "stop = 0.5\n"),
+            "scene.toml:31: [bodies 1] stop = 0.5: is of the turn alone beside times: give an "
+            "angular_velocity, or leave it out");
+  EXPECT_NO_THROW(static_cast<void>(
+      parse_scene(block_scene(way + "start = 0.5\nstop = 0.7\nangular_velocity = 1\n", 0), "scene.toml")));
+}
+
 TEST(BadBody, InsideTheMaterialIsRefused) {
   EXPECT_EQ(message_of_block(with(ball, "0.04", "0.085")),
             "[[bodies]] 1: as the bed cuts the material: material point 3 at (0.175, 0.175) m is 0.00594306 "

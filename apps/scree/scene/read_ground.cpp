@@ -167,8 +167,9 @@ void read_turn(const TomlTable& table, BodyScene& body, std::size_t dimensions) 
     auto places = table.numbers(axes[d], meaning);
     table.check(places.size() == count, {axes[d], "times"},
                 fmt::format("must be as many as times, which are {}", count));
-    table.check(places.empty() || places[0] == body.pivot[d], {axes[d], "pivot", "times"},
-                fmt::format("must begin at the pivot, {:g}", body.pivot[d]));
+    table.check(places.empty() || places[0] == body.pivot[d],
+                {axes[d], "pivot", "times", "surface", "centre", "point"},
+                fmt::format("must begin at the pivot, {}", body.pivot[d]));
     if (places.size() == count) way.places[d] = std::move(places);
   }
   table.check(has_place, {"times"}, "need the places of the pivot along one axis at least");
@@ -186,6 +187,11 @@ void read_turn(const TomlTable& table, BodyScene& body, std::size_t dimensions) 
   body.start = table.number_or(0, "start", "of the motion [s]", at_least(0));
   body.stop = std::numeric_limits<double>::infinity();
   if (table.has("stop")) body.stop = table.number("stop", "end of the motion [s]", at_least(0));
+  for (const std::string_view key : {"start", "stop"}) {
+    table.check(!table.has(key) || !table.has("times") || body.angular_velocity != 0,
+                {key, "times", "angular_velocity"},
+                "is of the turn alone beside times: give an angular_velocity, or leave it out");
+  }
   body.may_overlap = table.boolean_or(false, "may_overlap", "whether it may begin in ground or in a body");
   table.check(!scene.mesh.is_axisymmetric || body.velocity[0] == 0, {"velocity"},
               "must lie along y: round an axis of symmetry a body does not move away from it");

@@ -118,7 +118,7 @@ struct WayScene {
 };
 
 /// A rigid body, at the start where its surface says. From `start` to `stop` it turns about its pivot, and
-/// the pivot moves.
+/// the pivot moves by its velocity; where a way leads the pivot, the times of that say when.
 struct BodyScene {
   std::variant<BallScene, PlaneScene, TriangleMesh> surface;
   ContactScene contact;
