@@ -126,6 +126,23 @@ TEST(LeavingScene, IsNotBlamedForAPointWithoutVolume) {
                                            "([numerics] viscous = 0.5 bounds steps: give less)"));
 }
 
+/// A point that a step takes across the whole mesh and on has no place to be thrown back to: that points may
+/// leave is told already, so that a shorter step is the remedy.
+TEST(LeavingScene, NamesTheStepWhereThrowingBackDoesNotHelp) {
+  auto block = conveyed("leaving = \"reflect\"");
+  for (double& v : std::span{block.state.particles.velocity.component(0), 32}) v = 1e5;  // 6 m a step
+
+  std::string message = "no error";
+  try {
+    block.step();
+  } catch (const RunError& error) {
+    message = error.what();
+  }
+
+  EXPECT_THAT(message, ::testing::EndsWith("is outside the mesh [0, 0.4] x [0, 0.5] m ([numerics] viscous = "
+                                           "0.5 bounds steps: give less)"));
+}
+
 /// One point, brought to the end by hand.
 TEST(LeavingScene, StopsWithAPointItsPlaceAndWhatToChange) {
   auto block = conveyed("");

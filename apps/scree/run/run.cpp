@@ -22,7 +22,7 @@ namespace scree::app {
 namespace {
 
 /// Between looks at whether waves grow, where no frame is due: a look at few points takes as long as some ten
-/// steps of them, at many as one or two, and so less than a thousandth of the run.
+/// steps of them, at many as one or two, and so less than a thousandth of the run on one thread.
 constexpr std::int64_t steps_between_looks = 20000;
 
 /// Copies what lies beside a scene to the same place beside its results, so that these stand on their own.

@@ -235,8 +235,8 @@ void Simulation<D, V>::advance(double dt, mpm::Limit limit) {
     mpm::step(state, stages_, dt, threads_);
   } catch (const mpm::OutsideMesh& error) {
     const bool is_to_stop = stages_.leaving == mpm::Leaving::stop;
-    throw RunError{error.what() +
-                   (is_to_stop ? leaving_text(state.particles, grid(), clock.time + dt) : std::string{})};
+    throw RunError{error.what() + (is_to_stop ? leaving_text(state.particles, grid(), clock.time + dt)
+                                              : step_remedy(scene_, limit))};
   } catch (const RunError& error) {
     throw RunError{error.what() + step_remedy(scene_, limit)};
   }
