@@ -192,10 +192,10 @@ struct LayerThatMayStop {
   Simulation<2, 2> layer;
 };
 
-/// At the depth h > h_stop a flow comes to the speed beta sqrt(g h) h/h_stop, with a rate of 40/s and more:
-/// exp(-40) is left after 1 s, beside the rounding of 10^4 steps of 100 sums. At h < h_stop it is slowed by
-/// g cos (mu_stop(h) - tan), 0.029 m/s^2, at least, and stops before 1 s. What rests stays if the thicker
-/// layer flows too, as its slope is below mu_start.
+/// At the depth h > h_stop a flow comes to the speed beta sqrt(g h) h/h_stop, with a rate of 29/s that rises
+/// to 40/s: less than exp(-29) is left after 1 s, beside the rounding of 10^4 steps of 100 sums. At h <
+/// h_stop it is slowed by g cos (mu_stop(h) - tan), 0.029 m/s^2, at least, and stops before 1 s. What rests
+/// stays if the thicker layer flows too, as its slope is below mu_start.
 TEST(PouliquenForterreScene, ALayerFlowsAboveAndStopsBelowItsStoppingDepth) {  // Eqs. (R168)-(R171)
   const double slowest = LayerThatMayStop::slowest * std::sqrt(gravity * depth);
   for (const std::string& base : bases) {
