@@ -66,6 +66,9 @@ class WithoutViscosity final : public mpm::StressUpdate<D, V> {
   void require_inputs(const mpm::Particles<D, V>& particles) const override {
     whole_->require_inputs(particles);
   }
+  void require_memory(const mpm::Particles<D, V>& particles) const override {
+    whole_->require_memory(particles);
+  }
   [[nodiscard]] mpm::BlockStiffness stiffness(const mpm::Particles<D, V>& particles, Index begin,
                                               Index end) const noexcept override {
     return without_viscosity(whole_->stiffness(particles, begin, end));
