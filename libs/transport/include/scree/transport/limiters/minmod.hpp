@@ -28,7 +28,8 @@ class Minmod {
   [[nodiscard]] double operator()(double backward, double forward) const noexcept {
     const double lowest = std::min(0.0, theta_ * std::max(backward, forward));
     const double highest = std::max(0.0, theta_ * std::min(backward, forward));
-    return std::min(std::max((backward + forward) / 2, lowest), highest);
+    // In this order a slope beside a value that is no number is one: what is wrong stays where it is.
+    return std::min(highest, std::max(lowest, (backward + forward) / 2));
   }
 
   [[nodiscard]] double sharpness() const noexcept { return theta_; }
