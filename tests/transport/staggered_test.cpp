@@ -436,11 +436,10 @@ TEST(Staggered, NamesThePlaceOfANaNAndLeavesTheStateAsItWas) {
   std::vector<double> u(16, 1.0);
   u[9] = std::nan("");  // cell (1, 2) at (0.375, 0.625)
   const auto before = u;
-  // A finite speed: the slopes of (1, 1) and (1, 3) carry it to their corners, round the end to (1, 0), the
-  // first.
+  // A finite speed: no slope carries it further than to the corners of its cell, of which this is the first.
   StaggeredSolver advection{lattice, Advection<2>{Vector<2>{1, 0}}, Minmod{}, {.cfl = 0.4}};
   EXPECT_EQ(test::message_of<RunError>([&] { advection.advance(u, 1); }),
-            "transport: the rate of change is not finite at site (1, 0), position (0.25, 0) m");
+            "transport: the rate of change is not finite at site (1, 2), position (0.25, 0.5) m");
   // A speed that is not: first between (1, 1) and (1, 2).
   StaggeredSolver shear{lattice, Burgers{}, Minmod{}, {.cfl = 0.4}};
   EXPECT_EQ(test::message_of<RunError>([&] { shear.advance(u, 1); }),
