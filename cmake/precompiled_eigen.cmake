@@ -1,4 +1,4 @@
-include(warnings)
+include(private_flags)
 
 option(SCREE_PRECOMPILED_EIGEN "Compile Eigen's headers once for all libraries" OFF)
 
@@ -14,7 +14,7 @@ if(SCREE_PRECOMPILED_EIGEN)
   target_compile_options(scree_eigen PRIVATE ${SCREE_ARITHMETIC})
   set_target_properties(scree_eigen PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_precompile_headers(scree_eigen PRIVATE <Eigen/Core>)
-  scree_warnings(scree_eigen)
+  scree_private_flags(scree_eigen)
 endif()
 
 # scree_reads_eigen(<library>)

@@ -2,7 +2,7 @@
 set(SCREE_ARITHMETIC -ffp-contract=fast -fno-math-errno -fno-trapping-math)
 
 include(precompiled_eigen)
-include(warnings)
+include(private_flags)
 include(GNUInstallDirs)
 
 # scree_library(<name> SOURCES <files> [LINK <public targets>] [PRIVATE_LINK <hidden targets>])
@@ -21,7 +21,7 @@ function(scree_library name)
   target_compile_options(${target} PRIVATE ${SCREE_ARITHMETIC})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(${target} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE_LINK})
-  scree_warnings(${target})
+  scree_private_flags(${target})
 
   install(TARGETS ${target} EXPORT scree-${name}
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name}

@@ -14,7 +14,7 @@ add_library(scree_test_headers OBJECT test_headers.cpp)
 target_link_libraries(scree_test_headers PRIVATE scree::base GTest::gtest GTest::gmock)
 target_compile_features(scree_test_headers PRIVATE cxx_std_20)
 target_compile_options(scree_test_headers PRIVATE ${scree_fast_test_options})
-scree_warnings(scree_test_headers)  # the flags of those that share it
+scree_private_flags(scree_test_headers)  # the flags of those that share it
 target_precompile_headers(scree_test_headers PRIVATE
   <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <limits> <map> <memory> <numbers> <numeric> <random>
   <set> <span> <sstream> <string> <variant> <vector>
@@ -41,7 +41,7 @@ function(scree_tests name)
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
   target_compile_definitions(${name} PRIVATE SCREE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
-  scree_warnings(${name})
+  scree_private_flags(${name})
   if(NOT arg_LABEL)
     set(arg_LABEL fast)
     add_dependencies(fast_tests ${name})
