@@ -94,20 +94,21 @@ std::vector<Row> rows() {
 
 /// The errors with the right speed, 0.29 to 3.9 from minmod 1 to superbee, are the failure of compressive
 /// limiters; the lowest values with speeds at the ends, 0.66 and -0.29 instead of pi/4, that of these.
-class KppTable : public ::testing::TestWithParam<Row> {};
-TEST_P(KppTable, IsReproduced) {
-  const Row& row = GetParam();
+/// One test, as the reference takes ten times as long as a row.
+TEST(KppTable, IsReproduced) {
   const std::map<std::string, Bound> bounds{
       {"one", Bound::one}, {"interval", Bound::interval}, {"ends", Bound::ends}};
+  for (const Row& row : rows()) {
+    SCOPED_TRACE(::testing::PrintToString(row));
 
-  const auto u = solve(row.cells(), bounds.at(row.text("speed")), row.text("scheme"));
+    const auto u = solve(row.cells(), bounds.at(row.text("speed")), row.text("scheme"));
 
-  EXPECT_NEAR(error(u, row.cells()), row.number("l1"), 0.03 * row.number("l1"));
-  constexpr double last_digit = 1e-4;
-  EXPECT_NEAR(*std::min_element(u.begin(), u.end()), row.number("lowest"), last_digit);
-  EXPECT_NEAR(*std::max_element(u.begin(), u.end()), row.number("highest"), last_digit);
+    EXPECT_NEAR(error(u, row.cells()), row.number("l1"), 0.03 * row.number("l1"));
+    constexpr double last_digit = 1e-4;
+    EXPECT_NEAR(*std::min_element(u.begin(), u.end()), row.number("lowest"), last_digit);
+    EXPECT_NEAR(*std::max_element(u.begin(), u.end()), row.number("highest"), last_digit);
+  }
 }
-INSTANTIATE_TEST_SUITE_P(, KppTable, ::testing::ValuesIn(rows()), test::name_of);
 
 /// The table's steps have a CFL number of 0.8, and with theta = 2 its lowest values are below pi/4.
 TEST(Kpp, KeepsItsBoundsAtThePromisedStep) {
