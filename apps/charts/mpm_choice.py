@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import astuple
 from typing import NamedTuple
 
 from mpm_runs import Line, Scheme
@@ -9,7 +10,6 @@ from pareto import cost_of_error
 
 USUAL = Scheme("quadratic", "apic", "usl", 2)
 EQUAL_COSTS = 0.25  # [-]: single runs on a shared machine repeat to a fifth, up or down, nine times out of ten
-POINTS_OF_ORDERS = 2  # along each axis of a cell, on which every order of the step is run
 
 
 class Choice(NamedTuple):
@@ -19,7 +19,7 @@ class Choice(NamedTuple):
     scheme: Scheme
     seconds: float
     usual_seconds: float  # inf where they do not get there
-    order_seconds: dict[str, float]  # the best of each order of the step, on 2² points; inf likewise
+    order_seconds: dict[str, float]  # the best of each order of the step; inf likewise
 
 
 def error_levels(lines: Sequence[Line]) -> list[float]:
@@ -37,7 +37,7 @@ def _rounded_up(error: float) -> float:
 
 def choices(lines: Sequence[Line]) -> list[Choice]:
     """The cheapest scheme at each error. Where costs are equal to their repeatability, the usual scheme, or else that
-    of the error before, is the choice."""
+    of the error before, or else the one most like the usual is the choice."""
     result: list[Choice] = []
     for error in error_levels(lines):
         costs = {line.scheme: cost_of_error(line.seconds, line.errors, error) for line in lines}
@@ -46,16 +46,20 @@ def choices(lines: Sequence[Line]) -> list[Choice]:
             continue
         near = [scheme for scheme, cost in costs.items() if cost <= (1 + EQUAL_COSTS) * least]
         preferred = [USUAL, *(choice.scheme for choice in reversed(result))]
-        best = next((scheme for scheme in preferred if scheme in near), min(near, key=lambda one: costs[one]))
+        alike = min(near, key=lambda scheme: (_differences(scheme, USUAL), costs[scheme]))
+        best = next((scheme for scheme in preferred if scheme in near), alike)
         result.append(Choice(error, best, costs[best], costs.get(USUAL, math.inf), _best_of_orders(costs)))
     return result
+
+
+def _differences(one: Scheme, other: Scheme) -> int:
+    return sum(a != b for a, b in zip(astuple(one), astuple(other)))
 
 
 def _best_of_orders(costs: dict[Scheme, float]) -> dict[str, float]:
     best: dict[str, float] = {}
     for scheme, cost in costs.items():
-        if scheme.points_per_axis == POINTS_OF_ORDERS:
-            best[scheme.order] = min(cost, best.get(scheme.order, math.inf))
+        best[scheme.order] = min(cost, best.get(scheme.order, math.inf))
     return best
 
 
@@ -70,7 +74,7 @@ def sentence(chosen: Sequence[Choice]) -> str:
         parts.append(f"For an error of {choice.error:g} choose {choice.scheme}{beside}.")
     orders = [_order_beside_usl(order, chosen) for order in ("musl", "usf")]
     if all(orders):
-        parts.append(f"On 2² points, beside the best of usl, that of {orders[0]}, of {orders[1]}.")
+        parts.append(f"Beside the best of usl, that of {orders[0]}, of {orders[1]}.")
     return " ".join(parts)
 
 

@@ -3,7 +3,9 @@
 import math
 import statistics
 import unittest
+from collections.abc import Iterable
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 
 from mpm_choice import USUAL, choices, error_levels, sentence
@@ -12,6 +14,10 @@ from mpm_runs import TITLES, Line, Scheme, read_lines
 FLIP = Scheme("quadratic", "flip", "usl", 3)
 LINEAR = Scheme("linear", "apic", "musl", 1)
 NAN = math.nan
+SHAPES = ("linear", "quadratic", "cubic", "gimp")
+TRANSFERS = ("pic", "flip", "xpic_2", "apic", "tpic", "aflip")
+ORDERS = ("usl", "musl", "usf")
+SPLINES = {"quadratic", "cubic"}
 DOCUMENTS = Path(__file__).resolve().parents[2] / "docs" / "schemes"
 
 
@@ -43,6 +49,12 @@ class ChoiceForMaterialPoints(unittest.TestCase):
 
         self.assertEqual([choice.scheme for choice in choices([self.usual, near])], [USUAL, USUAL])
 
+    def test_is_the_one_most_like_the_usual_where_costs_are_equal(self) -> None:
+        cheap = line(replace(USUAL, order="musl", points_per_axis=1), (0.5, 8.0), (0.04, 0.01))
+        alike = line(replace(USUAL, points_per_axis=1), (0.6, 9.6), (0.04, 0.01))
+
+        self.assertEqual([choice.scheme for choice in choices([self.usual, cheap, alike])], [alike.scheme] * 2)
+
     def test_says_what_the_usual_scheme_would_cost(self) -> None:
         cheap = line(LINEAR, (0.5, 8.0), (0.04, 0.001))
 
@@ -60,9 +72,13 @@ class ChoiceForMaterialPoints(unittest.TestCase):
         self.assertEqual(
             sentence(choices([self.usual, musl, usf])),
             "For an error of 0.04 choose quadratic apic, 2² points. For an error of 0.02 choose quadratic apic, 2² "
-            "points. On 2² points, beside the best of usl, that of musl takes 1.5 to 1.7 times as long, of usf takes 2.0 "
-            "times as long.",
+            "points. Beside the best of usl, that of musl takes 1.5 to 1.7 times as long, of usf takes 2.0 times as long.",
         )
+
+    def test_takes_the_best_of_an_order_from_any_number_of_points(self) -> None:
+        order = [line(Scheme("cubic", "tpic", "musl", n), (n, 16.0 * n), (0.04, 0.01)) for n in (3, 2)]
+
+        self.assertEqual([c.order_seconds["musl"] / c.seconds for c in choices([self.usual, *order])], [2.0, 2.0])
 
     def test_says_where_an_order_does_not_get(self) -> None:
         musl = line(Scheme("quadratic", "apic", "musl", 2), (1.0, 16.0), (0.04, 0.03))
@@ -80,14 +96,23 @@ def beside_usl(lines: list[Line]) -> list[tuple[Line, Line]]:
     return [(one, under_usl[replace(one.scheme, order="usl")]) for one in lines if one.scheme.order != "usl"]
 
 
+def is_on_one_point_or_hats(scheme: Scheme) -> bool:
+    return scheme.points_per_axis == 1 or scheme.shape == "linear"
+
+
+def extremes(ratios: Iterable[float]) -> tuple[float, float]:
+    """The least and the largest; NaN, a run that ended early, is passed over."""
+    finite = [ratio for ratio in ratios if math.isfinite(ratio)]
+    return min(finite), max(finite)
+
+
 def change_of_error(pairs: list[tuple[Line, Line]], shapes: set[str], transfers: set[str]) -> tuple[float, float]:
     """The least and the largest share of the error under usl that these schemes have on the finest mesh."""
-    ratios = [
+    return extremes(
         other.errors[-1] / usl.errors[-1]
         for other, usl in pairs
         if other.scheme.shape in shapes and other.scheme.transfer in transfers
-    ]
-    return min(ratios), max(ratios)
+    )
 
 
 class WordsOfTheDocuments(unittest.TestCase):
@@ -104,16 +129,24 @@ class WordsOfTheDocuments(unittest.TestCase):
 
         most = max(choice.usual_seconds / choice.seconds for choice in chosen)
         self.assertIn(f"cost at most {most:.1f} times as much as the best elsewhere", self.page)
+        usual = [choice.scheme == USUAL for choice in chosen]  # two errors of each problem, as in the table
+        self.assertEqual(usual, [False, False, False, True, True, True], "the collapse, a small error of the ring")
         self.assertNotIn("pic", {choice.scheme.transfer for choice in chosen})
+        self.assertEqual({choice.scheme.order for choice in chosen}, {"usl"})
 
-    def test_are_of_every_order_of_the_step(self) -> None:
+    def test_are_of_every_scheme_on_three_meshes(self) -> None:
+        schemes = {Scheme(*parts) for parts in product(SHAPES, TRANSFERS, ORDERS, (1, 2, 3))}
         for lines in self.problems.values():
-            self.assertEqual({one.scheme.order for one in lines}, {"usl", "musl", "usf"})
+            self.assertEqual({one.scheme for one in lines}, schemes)
+            self.assertEqual({len(one.cells) for one in lines}, {3})
 
     def test_say_what_the_other_orders_cost(self) -> None:
         swing, ring, collapse = (
             statistics.median(
-                a / b for other, usl in beside_usl(self.problems[name]) for a, b in zip(other.seconds, usl.seconds) if b > 0
+                other.seconds[i] / usl.seconds[i]
+                for other, usl in beside_usl(self.problems[name])
+                for i in range(3)
+                if math.isfinite(other.errors[i]) and math.isfinite(usl.errors[i])
             )
             for name in ("swing", "turning_ring", "collapse")
         )
@@ -126,12 +159,27 @@ class WordsOfTheDocuments(unittest.TestCase):
     def test_say_what_the_other_orders_change(self) -> None:
         pairs = {problem: beside_usl(lines) for problem, lines in self.problems.items()}
         every = [pair for some in pairs.values() for pair in some]
-        least, most = change_of_error(every, {"quadratic", "cubic"}, {"apic"})
+        least, most = change_of_error(every, SPLINES, {"apic"})
         self.assertIn(f"errors on the finest mesh are {least:.2f} to {most:.2f} of those of `usl`", self.page)
-        least, most = change_of_error(pairs["turning_ring"], {"gimp"}, {"apic", "tpic", "aflip", "flip", "xpic_2"})
-        self.assertIn(f"Boxes of `gimp` leave {least:.1f} to {most:.0f} times the error on the ring", self.page)
-        least, most = change_of_error(pairs["collapse"], {"linear", "quadratic", "cubic", "gimp"}, {"flip"})
-        self.assertIn(f"FLIP {least:.1f} to {most:.1f} times on the collapse", self.page)
+        least, most = change_of_error(pairs["collapse"], {*SHAPES}, {"flip"})
+        self.assertIn(f"FLIP has {least:.1f} to {most:.1f} times the error on the collapse", self.page)
+        on_four_points = [pair for pair in pairs["turning_ring"] if pair[0].scheme.points_per_axis == 2]
+        least, most = change_of_error(on_four_points, {"gimp"}, {*TRANSFERS} - {"pic"})
+        self.assertIn(f"`gimp` on \\f$2^2\\f$ points leave {least:.1f} to {most:.0f} times the error on the ring", self.page)
+
+    def test_say_where_refining_does_not_help(self) -> None:
+        ring = [one for one in self.problems["turning_ring"] if one.scheme.transfer != "pic"]
+        coarse, fine = ring[0].cells[1:]
+        least, most = extremes(one.errors[2] / one.errors[1] for one in ring if is_on_one_point_or_hats(one.scheme))
+        self.assertIn(
+            f"from {coarse} to {fine} cells the ring has {least:.1f} to {most:.0f} times the error, or its runs end early, in "
+            "every order",
+            self.page,
+        )
+        remedy = [one for one in ring if one.scheme.shape in SPLINES and not is_on_one_point_or_hats(one.scheme)]
+        least, most = extremes(one.errors[2] / one.errors[1] for one in remedy)
+        self.assertIn(f"splines on \\f$2^2\\f$ or \\f$3^2\\f$ points, {least:.2f} to {most:.2f} times", self.page)
+        self.assertTrue(all(math.isfinite(error) for one in remedy for error in one.errors))
 
 
 if __name__ == "__main__":

@@ -29,8 +29,13 @@ using Profile = std::vector<double>;  // mass between places that are 2.5 cm apa
   return profile;
 }
 
+struct Collapse {
+  Profile profile{};
+  double cpu_seconds = 0;  // of its steps
+};
+
 /// The column of the scene on a mesh of `cells` along its height, by a scheme.
-[[nodiscard]] Profile profile_after_collapse(const Scheme& scheme, Index cells) {
+[[nodiscard]] Collapse collapsed(const Scheme& scheme, Index cells) {
   app::Scene scene = app::read_scene(std::string{SCREE_SCENES} + "/granular_column_collapse.toml",
                                      {"mesh.cells=" + std::to_string(cells),
                                       "material.points_per_cell=" + std::to_string(scheme.points_per_axis)})
@@ -40,14 +45,15 @@ using Profile = std::vector<double>;  // mass between places that are 2.5 cm apa
   scene.order = scheme.order;
   scene.xpic_order = scheme.xpic_order;
   app::Simulation<2, 2> simulation{scene, {1}};
+  const double start = cpu_seconds();
   while (!simulation.is_finished()) simulation.step();
-  return profile_of(simulation.state.particles);
+  return {profile_of(simulation.state.particles), cpu_seconds() - start};
 }
 
 /// By quadratic splines with APIC on a mesh four times as fine as the finest, once.
 [[nodiscard]] const Profile& reference(Index cells) {
   static const Profile profile =
-      profile_after_collapse({.any_shape = mpm::Quadratic{}, .any_transfer = mpm::Apic{}}, cells);
+      collapsed({.any_shape = mpm::Quadratic{}, .any_transfer = mpm::Apic{}}, cells).profile;
   return profile;
 }
 
@@ -66,10 +72,9 @@ std::vector<Run> collapse(const Scheme& scheme, bool is_quick) {
   for (Index cells = 6; cells <= finest; cells *= 2) {
     Run run{"collapse", scheme, cells};
     try {
-      const double start = cpu_seconds();
-      const Profile profile = profile_after_collapse(scheme, cells);
-      run.cpu_seconds = cpu_seconds() - start;
-      run.error = misplaced(profile, reference(4 * finest));
+      const Collapse one = collapsed(scheme, cells);
+      run.cpu_seconds = one.cpu_seconds;
+      run.error = misplaced(one.profile, reference(4 * finest));
     } catch (const RunError&) {  // points have left the mesh
       run.error = std::numeric_limits<double>::quiet_NaN();
     }

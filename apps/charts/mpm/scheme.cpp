@@ -44,7 +44,6 @@ std::vector<Scheme> every_scheme(bool is_quick) {
           scheme.any_shape = mpm::Gimp{static_cast<double>(points)};  // boxes that fill the cell
         }
         for (const mpm::Order order : {mpm::Order::usl, mpm::Order::musl, mpm::Order::usf}) {
-          if (order != mpm::Order::usl && points != 2) continue;
           scheme.order = order;
           result.push_back(scheme);
         }

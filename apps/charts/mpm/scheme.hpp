@@ -21,8 +21,8 @@ struct Scheme {
   Index points_per_axis = 2;  ///< of each cell at first
 };
 
-/// Every shape with every transfer on 1, 2 and 3 points per axis, and on the middle of these in every order
-/// of the step.  @param is_quick quadratic splines and 2 points alone
+/// Every shape with every transfer in every order of the step on 1, 2 and 3 points per axis.
+/// @param is_quick quadratic splines and 2 points alone
 [[nodiscard]] std::vector<Scheme> every_scheme(bool is_quick);
 
 }  // namespace scree::charts
