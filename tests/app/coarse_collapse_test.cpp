@@ -1,9 +1,29 @@
-// The valley and the dam break in space on coarse meshes, seconds long.
+// Columns, the valley and the dam break in space on coarse meshes, seconds long.
 
+#include "column.hpp"
 #include "valley.hpp"
+
+#include <gtest/gtest.h>
 
 namespace scree::app::testing {
 namespace {
+
+TEST(CoarseColumnCollapse, RunsOutAsFarAsTheContinuum) {  // Eq. (M198)
+  for (const double aspect : {0.5, 1.0}) {
+    EXPECT_NEAR(Column(aspect, 32).runout(), of_the_continuum(aspect), tolerance_of_columns(aspect, 32))
+        << "aspect ratio " << aspect;
+  }
+}
+
+/// Larger and denser ones have a larger I at the same shear, so more friction.
+TEST(CoarseColumnCollapse, RunsOutFartherTheFinerTheGrains) {
+  const double of_3_mm = Column(0.5, 32, {3e-3, 2500}).runout();
+  const double of_the_law = Column(0.5, 32).runout();
+  const double of_1_mm = Column(0.5, 32, {1e-3, 1500}).runout();
+
+  EXPECT_LT(of_3_mm, of_the_law);
+  EXPECT_LT(of_the_law, of_1_mm);
+}
 
 TEST(CoarseValleyCollapse, RunsOutOntoTheFan) {
   const auto [start, end, fastest] = collapse_in_the_valley({"mesh.cells=18"});
