@@ -1,7 +1,7 @@
-#include "scree/run/output_fields.hpp"
 #include "scree/run/run.hpp"
 #include "scree/scene/choices.hpp"
 #include "scree/scene/chosen.hpp"
+#include "scree/scene/output_fields.hpp"
 
 #include <scree/rheology/path/paths.hpp>
 #include <scree/transport/fluxes.hpp>

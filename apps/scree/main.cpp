@@ -1,6 +1,6 @@
 #include "scree/plot.hpp"
 #include "scree/run/run.hpp"
-#include "scree/scene/path_file.hpp"
+#include "scree/run/run_path.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

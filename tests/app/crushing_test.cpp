@@ -3,6 +3,7 @@
 #include "scenes.hpp"
 #include "scree/run/simulation.hpp"
 #include "scree/run/summary.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <scree/grainsize/breakage.hpp>
 

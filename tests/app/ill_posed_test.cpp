@@ -1,6 +1,7 @@
 // Variant C, the paper's literal two-way coupling: where and how it fails, as theory predicts.
 
 #include "incline.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 
 #include "scenes.hpp"
 #include "scree/run/simulation.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <algorithm>
 #include <cmath>

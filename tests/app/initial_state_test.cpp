@@ -1,10 +1,10 @@
 // What material is at the start: the memory of its law, and the pressure on its top.
 
 #include "scenes.hpp"
-#include "scree/assemble/mixture.hpp"
 #include "scree/run/simulation.hpp"
 #include "scree/scene/chosen.hpp"
 #include "scree/scene/law_columns.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <scree/grainsize/breakage.hpp>
 

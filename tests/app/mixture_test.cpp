@@ -4,6 +4,7 @@
 #include "scree/run/restart.hpp"
 #include "scree/run/simulation.hpp"
 #include "scree/run/summary.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

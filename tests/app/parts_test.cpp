@@ -3,6 +3,7 @@
 #include "scenes.hpp"
 #include "scree/run/simulation.hpp"
 #include "scree/scene/axes.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <gtest/gtest.h>
 

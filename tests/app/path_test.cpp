@@ -1,6 +1,6 @@
 // Path files: those that people run, what they get for them, and what they are told of a wrong one.
 
-#include "scree/scene/path_file.hpp"
+#include "scree/run/run_path.hpp"
 
 #include <scree/error.hpp>
 #include <scree/rheology/path/paths.hpp>

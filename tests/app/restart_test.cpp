@@ -3,7 +3,7 @@
 #include "scree/run/restart.hpp"
 
 #include "scenes.hpp"
-#include "scree/run/traits.hpp"
+#include "scree/scene/traits.hpp"
 
 #include <scree/io/bounds.hpp>
 #include <scree/io/checkpoint.hpp>

@@ -2,11 +2,11 @@
 
 #include "scenes.hpp"
 
-#include "scree/run/output_fields.hpp"
 #include "scree/run/run.hpp"
 #include "scree/run/simulation.hpp"
 #include "scree/run/stability.hpp"
 #include "scree/scene/chosen.hpp"
+#include "scree/scene/output_fields.hpp"
 #include "scree/scene/with_dimensions.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scree/assemble/material_columns.hpp"
+#include "scree/assemble/carried_input.hpp"
 #include "scree/scene/scene.hpp"
 
 #include <scree/grid.hpp>

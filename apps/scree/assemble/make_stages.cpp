@@ -1,12 +1,12 @@
 #include "scree/assemble/make_stages.hpp"
 
 #include "scree/assemble/ground.hpp"
-#include "scree/assemble/mixture.hpp"
 #include "scree/assemble/overlaps.hpp"
 #include "scree/assemble/streams.hpp"
 #include "scree/assemble/walls.hpp"
 #include "scree/scene/axes.hpp"
 #include "scree/scene/dimensions.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <scree/mpm/axisymmetric.hpp>
 

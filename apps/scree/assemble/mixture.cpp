@@ -1,7 +1,7 @@
 #include "scree/assemble/mixture.hpp"
 
-#include "scree/assemble/material_columns.hpp"
 #include "scree/scene/dimensions.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <scree/rheology/columns.hpp>
 

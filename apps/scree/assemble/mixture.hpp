@@ -5,19 +5,10 @@
 #include <scree/grainsize/maximum_packing.hpp>
 #include <scree/mpm/particles.hpp>
 
-#include <string_view>
 #include <variant>
 #include <vector>
 
 namespace scree::app {
-
-/// Names of the columns that a run with grains adds to its points. The last three are there only for who
-/// reads them.
-inline constexpr std::string_view fraction_column = "fraction";
-inline constexpr std::string_view grain_size_column = "grain_size";
-inline constexpr std::string_view coarse_fraction_column = "coarse_fraction";
-inline constexpr std::string_view maximum_packing_column = "maximum_packing";
-inline constexpr std::string_view friction_column = "friction";
 
 /// What follows from the fractions of a point, a column each: its mean size, Eq. (G1), and, if the law of the
 /// scene reads them, its share of coarse grains, Eq. (G23), and its largest packing, Eqs. (G30) to (G32); if

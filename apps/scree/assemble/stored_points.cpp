@@ -1,59 +1,23 @@
 #include "scree/assemble/stored_points.hpp"
 
+#include "scree/assemble/crushing.hpp"
 #include "scree/assemble/mixture.hpp"
 #include "scree/assemble/node_viscosity.hpp"
-#include "scree/run/checkpoint_layout.hpp"
-#include "scree/run/crushing.hpp"
-#include "scree/run/traits.hpp"
 #include "scree/scene/axes.hpp"
+#include "scree/scene/checkpoint_points.hpp"
 #include "scree/scene/dimensions.hpp"
+#include "scree/scene/law_columns.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <sstream>
 #include <vector>
 
 namespace scree::app {
 
 namespace {
-
-[[nodiscard]] io::Checkpoint opened(const std::filesystem::path& path) {
-  return io::read_checkpoint(path, checkpoint_version);
-}
-
-[[nodiscard]] std::vector<std::string> lines_of(const std::string& text) {
-  std::istringstream stream{text};
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-/// Which of the stored points weigh something: others only fill blocks.
-[[nodiscard]] std::vector<std::size_t> heavy_points(const io::Checkpoint& checkpoint) {
-  const std::string entry = entry_of("mass");
-  const auto masses = checkpoint.doubles(entry, checkpoint.length(entry));
-  std::vector<std::size_t> heavy;
-  for (std::size_t p = 0; p < masses.size(); ++p) {
-    if (masses[p] > 0) heavy.push_back(p);
-  }
-  return heavy;
-}
-
-/// Values of a column, of the points chosen: component after component.
-[[nodiscard]] std::vector<double> values_of(const io::Checkpoint& checkpoint, std::string_view column,
-                                            int num_components, const std::vector<std::size_t>& points) {
-  const auto count = static_cast<std::size_t>(checkpoint.length(entry_of("mass")));
-  const auto stored =
-      checkpoint.doubles(entry_of(column), static_cast<Index>(count) * static_cast<Index>(num_components));
-  std::vector<double> values;
-  values.reserve(points.size() * static_cast<std::size_t>(num_components));
-  for (std::size_t c = 0; c < static_cast<std::size_t>(num_components); ++c) {
-    for (const std::size_t p : points) values.push_back(stored[c * count + p]);
-  }
-  return values;
-}
 
 /// Points of a periodic axis may lie past its ends by as much as their run lets them before it sorts.
 template <int D, int V>
@@ -84,33 +48,9 @@ void require_inside(const mpm::Particles<D, V>& particles, const CartesianGrid<D
 
 }  // namespace
 
-StoredScene find_stored_points(const std::filesystem::path& path, const Scene& scene) {
-  const io::Checkpoint checkpoint = opened(path);
-  StoredScene stored{path, checkpoint.text("traits"), {}, {}};
-  const std::string differences = difference(stored.traits, traits_of_points(scene));
-  require(differences.empty(), path.string() + ": holds points of another kind: " + differences);
-  stored.spacing = checkpoint.doubles("spacing", scene.mesh.dimensions);
-  stored.columns = lines_of(checkpoint.text("columns"));
-  require(!heavy_points(checkpoint).empty(), path.string() + ": holds no point");
-  return stored;
-}
-
-BoxRegion extent_of(const StoredScene& stored, const MeshScene& mesh) {
-  const io::Checkpoint checkpoint = opened(stored.path);
-  const auto points = heavy_points(checkpoint);
-  const auto positions = values_of(checkpoint, "position", mesh.dimensions, points);
-  BoxRegion box;
-  for (auto axis = positions.begin(); axis != positions.end(); axis += static_cast<Index>(points.size())) {
-    const auto [low, high] = std::minmax_element(axis, axis + static_cast<Index>(points.size()));
-    box.low.push_back(*low);
-    box.high.push_back(*high);
-  }
-  return box;
-}
-
 template <int D, int V>
 mpm::Particles<D, V> stored_points(const StoredScene& stored, const CartesianGrid<D>& grid) {
-  const io::Checkpoint checkpoint = opened(stored.path);
+  const io::Checkpoint checkpoint = open_checkpoint(stored.path);
   const auto points = heavy_points(checkpoint);
   mpm::Particles<D, V> particles;
   particles.resize(static_cast<Index>(points.size()));
@@ -128,7 +68,7 @@ void take_stored(const Scene& scene, mpm::Particles<D, V>& particles) {
   if (scene.grains && crushes(scene.law)) {
     const Crushing<D, V> adds_its_column{particles, *scene.grains, scene.mixture.ultimate_fractal_dimension};
   }
-  const io::Checkpoint checkpoint = opened(stored.path);
+  const io::Checkpoint checkpoint = open_checkpoint(stored.path);
   const auto points = heavy_points(checkpoint);
   std::vector<std::string> here;
   particles.for_each_column([&](mpm::Column& column) {

@@ -3,19 +3,9 @@
 #include "scree/scene/scene.hpp"
 
 #include <scree/grid.hpp>
-#include <scree/io/checkpoint.hpp>
 #include <scree/mpm/particles.hpp>
 
-#include <filesystem>
-
 namespace scree::app {
-
-/// What a scene takes of the checkpoint of another run, without its points.
-/// @throws InputError if the file is no checkpoint, is cut off, or is of a run with other traits_of_points().
-[[nodiscard]] StoredScene find_stored_points(const std::filesystem::path& path, const Scene& scene);
-
-/// A box round the points of a checkpoint, along the axes of the mesh.
-[[nodiscard]] BoxRegion extent_of(const StoredScene& stored, const MeshScene& mesh);
 
 /// The points of the checkpoint that the scene names, those that weigh something in their order: what every
 /// run's points have; take_stored() adds the rest.

@@ -26,11 +26,6 @@ struct Streams {
 template <int D, int V>
 [[nodiscard]] mpm::Stream<D, V> stream_of(const Scene& scene, const InflowScene& inflow);
 
-/// Whether the box of a stream is full at the start of a run.
-[[nodiscard]] inline bool begins_full(const InflowScene& inflow) noexcept {
-  return inflow.start == 0;
-}
-
 /// The outflows of a scene, nothing taken.
 template <int D>
 [[nodiscard]] std::vector<mpm::Outflow<D>> outflows_of(const Scene& scene, const CartesianGrid<D>& grid);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scree/assemble/mixture.hpp"
+#include "scree/scene/material_columns.hpp"
 #include "scree/scene/scene.hpp"
 
 #include <scree/mpm/boundaries/contact.hpp>

@@ -1,6 +1,7 @@
 #include "scree/run/coupling.hpp"
 
 #include "scree/scene/dimensions.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <scree/io/bounds.hpp>
 #include <scree/mpm/axisymmetric.hpp>

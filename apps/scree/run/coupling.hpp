@@ -1,6 +1,5 @@
 #pragma once
 
-#include "scree/assemble/mixture.hpp"
 #include "scree/scene/scene.hpp"
 
 #include <scree/grainsize/segregation.hpp>

@@ -2,6 +2,7 @@
 
 #include "scree/scene/axes.hpp"
 #include "scree/scene/dimensions.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <scree/mpm/axisymmetric.hpp>
 

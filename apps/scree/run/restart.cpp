@@ -1,9 +1,9 @@
 #include "scree/run/restart.hpp"
 
-#include "scree/assemble/mixture.hpp"
-#include "scree/run/checkpoint_layout.hpp"
-#include "scree/run/traits.hpp"
+#include "scree/scene/checkpoint_layout.hpp"
 #include "scree/scene/dimensions.hpp"
+#include "scree/scene/material_columns.hpp"
+#include "scree/scene/traits.hpp"
 
 #include <scree/io/checkpoint.hpp>
 

@@ -1,4 +1,4 @@
-#include "scree/scene/path_file.hpp"
+#include "scree/run/run_path.hpp"
 
 #include <scree/error.hpp>
 #include <scree/io/replace_file.hpp>

@@ -8,6 +8,7 @@
 #include "scree/run/leaving_text.hpp"
 #include "scree/run/stability.hpp"
 #include "scree/scene/dimensions.hpp"
+#include "scree/scene/law_columns.hpp"
 
 #include <scree/io/bounds.hpp>
 #include <scree/mpm/append.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "scree/assemble/crushing.hpp"
 #include "scree/assemble/mixture.hpp"
 #include "scree/assemble/streams.hpp"
 #include "scree/run/coupling.hpp"
-#include "scree/run/crushing.hpp"
 #include "scree/scene/scene.hpp"
 
 #include <scree/mpm/step.hpp>

@@ -1,7 +1,7 @@
 #include "scree/run/well_posedness.hpp"
 
-#include "scree/assemble/mixture.hpp"
 #include "scree/scene/axes.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <scree/rheology/columns.hpp>
 

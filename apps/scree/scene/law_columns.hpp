@@ -28,6 +28,14 @@ namespace scree::app {
       any_law);
 }
 
+/// What a law that crushes grains keeps of it.
+inline constexpr std::string_view breakage_column = "breakage";
+
+/// Whether a law crushes grains.
+[[nodiscard]] inline bool crushes(const rheology::AnyLaw& law) {
+  return keeps(law, breakage_column);
+}
+
 /// The friction at which a law yields, if it is the same everywhere [-].
 [[nodiscard]] inline std::optional<double> yield_friction(const rheology::AnyLaw& any_law) {
   return std::visit(

@@ -1,6 +1,6 @@
 #include "scree/scene/map_files.hpp"
 
-#include "scree/assemble/stored_points.hpp"
+#include "scree/scene/checkpoint_points.hpp"
 
 #include <scree/io/esri_ascii.hpp>
 #include <scree/io/stl.hpp>

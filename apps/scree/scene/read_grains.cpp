@@ -1,9 +1,10 @@
 #include "scree/scene/read_grains.hpp"
 
-#include "scree/assemble/mixture.hpp"
-#include "scree/run/crushing.hpp"
 #include "scree/scene/choices.hpp"
 #include "scree/scene/law_columns.hpp"
+#include "scree/scene/material_columns.hpp"
+
+#include <scree/grainsize/maximum_packing.hpp>
 
 #include <array>
 #include <cmath>

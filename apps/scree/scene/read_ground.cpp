@@ -1,7 +1,7 @@
 #include "scree/scene/read_ground.hpp"
 
-#include "scree/assemble/mixture.hpp"
 #include "scree/scene/choices.hpp"
+#include "scree/scene/material_columns.hpp"
 #include "scree/scene/read_walls.hpp"
 
 #include <fmt/format.h>

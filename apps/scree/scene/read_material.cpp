@@ -1,7 +1,7 @@
 #include "scree/scene/read_material.hpp"
 
-#include "scree/assemble/stored_points.hpp"
 #include "scree/scene/axes.hpp"
+#include "scree/scene/checkpoint_points.hpp"
 #include "scree/scene/choices.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,8 @@
-#include "scree/assemble/streams.hpp"
-#include "scree/run/output_fields.hpp"
-#include "scree/run/traits.hpp"
 #include "scree/scene/axes.hpp"
 #include "scree/scene/choices.hpp"
 #include "scree/scene/chosen.hpp"
 #include "scree/scene/map_files.hpp"
+#include "scree/scene/output_fields.hpp"
 #include "scree/scene/read_grains.hpp"
 #include "scree/scene/read_ground.hpp"
 #include "scree/scene/read_material.hpp"
@@ -12,6 +10,7 @@
 #include "scree/scene/read_streams.hpp"
 #include "scree/scene/read_walls.hpp"
 #include "scree/scene/scene.hpp"
+#include "scree/scene/traits.hpp"
 
 #include <scree/io/toml_reader.hpp>
 

@@ -1,11 +1,10 @@
 #include "scree/scene/read_walls.hpp"
 
-#include "scree/assemble/material_columns.hpp"
-#include "scree/assemble/mixture.hpp"
 #include "scree/scene/axes.hpp"
 #include "scree/scene/choices.hpp"
 #include "scree/scene/chosen.hpp"
 #include "scree/scene/law_columns.hpp"
+#include "scree/scene/material_columns.hpp"
 #include "scree/scene/read_models.hpp"
 
 #include <fmt/format.h>

@@ -186,6 +186,11 @@ struct InflowScene {
   double stop = 0;                ///< [s]
 };
 
+/// Whether the box of a stream is full at the start of a run.
+[[nodiscard]] inline bool begins_full(const InflowScene& inflow) noexcept {
+  return inflow.start == 0;
+}
+
 /// A box that takes away what enters it.
 struct OutflowScene {
   std::vector<double> low;   ///< [m]

@@ -1,9 +1,10 @@
-#include "scree/assemble/material_columns.hpp"
+#include "scree/scene/material_columns.hpp"
 
-#include "scree/assemble/mixture.hpp"
 #include "scree/scene/law_columns.hpp"
 
 #include <algorithm>
+#include <string>
+#include <variant>
 
 namespace scree::app {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "scree/scene/scene.hpp"
-
 #include <scree/grainsize/distribution.hpp>
 #include <scree/mpm/particles.hpp>
 
@@ -28,8 +26,5 @@ class Crushing {
  private:
   std::vector<double> ultimate_;  // one per class
 };
-
-/// Whether a law keeps the column that `Crushing` follows.
-[[nodiscard]] bool crushes(const rheology::AnyLaw& law);
 
 }  // namespace scree::app

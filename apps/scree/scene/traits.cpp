@@ -1,4 +1,4 @@
-#include "scree/run/traits.hpp"
+#include "scree/scene/traits.hpp"
 
 #include "scree/scene/axes.hpp"
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "scree/scene/scene.hpp"
-
+#include <scree/constitutive_law.hpp>
 #include <scree/mpm/boundaries/carried_input.hpp>
 
 #include <cstddef>
@@ -11,20 +10,6 @@
 #include <vector>
 
 namespace scree::app {
-
-/// A column of one number that material points carry.
-struct MaterialColumn {
-  std::string_view name;
-  std::string_view unit;
-};
-
-/// The columns of a scene's material that a wall may read: what follows from the fractions of each point, as
-/// far as the law asks for it, and the friction at which its mix yields.
-/// @param scene of which the law and the grains have been read
-[[nodiscard]] std::vector<MaterialColumn> material_columns(const Scene& scene);
-
-/// Whether any wall, ground or body of a scene reads this column of the material.
-[[nodiscard]] bool is_read_by_walls(const Scene& scene, std::string_view column);
 
 /// The place, among the means of a node, of a column of the material that the law of a wall reads as `input`.
 using PlaceOfMean =

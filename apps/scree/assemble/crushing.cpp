@@ -1,8 +1,8 @@
-#include "scree/run/crushing.hpp"
+#include "scree/assemble/crushing.hpp"
 
-#include "scree/assemble/mixture.hpp"
 #include "scree/scene/dimensions.hpp"
 #include "scree/scene/law_columns.hpp"
+#include "scree/scene/material_columns.hpp"
 
 #include <scree/grainsize/breakage.hpp>
 
@@ -10,7 +10,6 @@ namespace scree::app {
 
 namespace {
 
-constexpr std::string_view breakage_column = "breakage";
 /// The breakage that the fractions of a point have followed.
 constexpr std::string_view crushed_column = "crushed";
 
@@ -43,10 +42,6 @@ bool Crushing<D, V>::advance(mpm::Particles<D, V>& particles) const {
     }
   }
   return is_any_finer;
-}
-
-bool crushes(const rheology::AnyLaw& law) {
-  return keeps(law, breakage_column);
 }
 
 #define SCREE_INSTANCE(D, V) template class Crushing<D, V>;
