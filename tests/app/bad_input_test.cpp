@@ -252,5 +252,20 @@ TEST(FailedRun, PointOutsideTheMeshIsNamedWithItsPlace) {
   EXPECT_NE(message.find(") m is outside the mesh [0, 1.02] m"), std::string::npos) << message;
 }
 
+/// A step past the end would be of no length, and all rates by it no numbers.
+TEST(FinishedRun, HasNoStepLeft) {
+  Simulation<1, 2> column{scene_of("inclined_plane_column", {"time.end=0.001"}), {1}};
+  while (!column.is_finished()) column.step();
+
+  std::string message = "no error";
+  try {
+    column.step();
+  } catch (const InputError& error) {
+    message = error.what();
+  }
+
+  EXPECT_EQ(message, "the run has reached its end, [time] end = 0.001: no step is left");
+}
+
 }  // namespace
 }  // namespace scree::app::testing

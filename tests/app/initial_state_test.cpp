@@ -41,6 +41,9 @@ end = 0.1
          rest;
 }
 
+/// For some steps of any law.
+const std::string long_enough = "time.end=100";
+
 [[nodiscard]] Simulation<1, 2> simulation_of(const std::string& text,
                                              const std::vector<std::string>& overrides = {}) {
   return {parse_scene(text, "scene.toml", overrides).scene, {1}};
@@ -92,7 +95,7 @@ TEST(EveryLawInAScene, TakesStepsFromTheMemoryItIsGiven) {
     }
     SCOPED_TRACE(typical_law<Law>() + initial);
     Simulation<1, 2> column =
-        simulation_of(column_of(1, typical_law<Law>() + initial, typical_grains<Law>()));
+        simulation_of(column_of(1, typical_law<Law>() + initial, typical_grains<Law>()), {long_enough});
 
     for (const StateColumn& state : Law::states) {
       const double expected = state.start ? given(state) : state.initial;
@@ -150,7 +153,7 @@ void expect_ground(const std::string& key, double value, double touching) {
   Simulation<1, 2> ground =
       simulation_of(column_of(0.5, typical_law<Law>() + fmt::format("initial.{} = {}\n", key, value),
                               typical_grains<Law>()),
-                    {"gravity.magnitude=9.81"});
+                    {"gravity.magnitude=9.81", long_enough});
   const auto& particles = ground.state.particles;
   std::vector<double> pressures(static_cast<std::size_t>(particles.size()));
   ground.stages().stress->pressure(particles, pressures);
@@ -207,9 +210,9 @@ TEST(SurfacePressure, IsAskedForWhereALawHasNoDensityWithout) {
 /// the thinnest, at the top, is where clay lets go, (R67): p = 1e-9 p_c.
 void expect_clay_under_its_weight(double load) {
   const double kappa = rheology::typical<rheology::ModifiedCamClay>().kappa;
-  Simulation<1, 2> clay =
-      simulation_of(column_of(0.5, typical_law<rheology::ModifiedCamClay>()),
-                    {"gravity.magnitude=9.81", fmt::format("material.surface_pressure={}", load)});
+  Simulation<1, 2> clay = simulation_of(
+      column_of(0.5, typical_law<rheology::ModifiedCamClay>()),
+      {"gravity.magnitude=9.81", long_enough, fmt::format("material.surface_pressure={}", load)});
   const auto& particles = clay.state.particles;
   std::vector<double> pressures(static_cast<std::size_t>(particles.size()));
   clay.stages().stress->pressure(particles, pressures);

@@ -294,6 +294,10 @@ void Simulation<D, V>::resume() {
 
 template <int D, int V>
 bool Simulation<D, V>::step() {
+  if (is_finished()) {
+    throw InputError{"the run has reached its end, [time] end = " + io::to_text(scene_.end) +
+                     ": no step is left"};
+  }
   mpm::TimeStep next = next_step();
   require_progress(next);
   const mpm::Limit limit = next.limit;

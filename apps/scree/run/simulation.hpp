@@ -49,7 +49,7 @@ class Simulation {
 
   /// Advances by one step: the stable one, or what is left until the next frame.
   /// @returns whether a frame is due now.
-  /// @throws RunError naming a material point gone wrong, or if the stable step collapses.
+  /// @throws RunError naming a material point gone wrong, or if the step collapses; InputError past the end.
   bool step();
   /// Readies all that follows from points, blocks and clock, after these were read from a checkpoint.
   /// @throws InputError if waves would grow on them at the next step.
