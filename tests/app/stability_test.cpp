@@ -2,6 +2,7 @@
 
 #include "scree/run/stability.hpp"
 
+#include "scenes.hpp"
 #include "scree/run/restart.hpp"
 #include "scree/run/simulation.hpp"
 
@@ -174,6 +175,28 @@ TEST(StableRun, IsNotStoppedForAFewPointsThatAreFast) {
   run.state.rates.wave_speed *= 4;
 
   EXPECT_EQ(message_when<RunError>([&] { run.require_stable(); }), "no error");
+}
+
+/// Of means over cells a run bears more under smooth shapes, and one of both means on hat functions as much:
+/// these alone are looked at.  Eq. (M199)
+TEST(StableRun, IsNotStoppedUnderMeansByWhatDoesNotBindThem) {
+  const std::string volume = "\naveraged_volume_change = true";
+  const std::string pressure = "\naveraged_pressure = true";
+  const auto message = [](const std::string& text, const std::string& means) {
+    auto run = simulation_of(text + means);
+    huddle(run);
+    return message_when<RunError>([&] { run.require_stable(); }).substr(0, 27);
+  };
+  const std::string hats =
+      with(flip_of_threes, "shape = \"quadratic\"\nacoustic = 0.9", "shape = \"linear\"\nacoustic = 0.76");
+
+  EXPECT_EQ(message(flip_of_threes, ""), "the run has become unstable");
+  EXPECT_EQ(message(flip_of_threes, volume), "no error");
+  EXPECT_EQ(message(flip_of_threes, pressure), "no error");
+  EXPECT_EQ(message(flip_of_threes, volume + pressure), "no error");
+  EXPECT_EQ(message(hats, ""), "the run has become unstable");
+  EXPECT_EQ(message(hats, volume), "no error");
+  EXPECT_EQ(message(hats, volume + pressure), "the run has become unstable");
 }
 
 TEST(StableRun, IsAnyWhereAllHaveLeft) {

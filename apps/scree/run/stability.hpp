@@ -23,8 +23,9 @@ void require_stable_step(const Scene& scene, const mpm::State<D, V>& state);
 /// What to say of a run on whose points, as they are by now, waves of sound and viscosity grow along an axis
 /// of the mesh at the next step, the stable one by `state.rates`; else nothing. Not on the safe side, as a
 /// run that goes on is not to be stopped without need: by what bounds waves in the mean of the points. It may
-/// be so for a layer of some 0.4 cells or more whose nodes a wall holds. Takes the passes of unstable_step()
-/// over them where not every scheme is stable: for now and then.
+/// be so for a layer of some 0.4 cells or more whose nodes a wall holds. Nothing of runs with means over
+/// cells that may bear more. Takes the passes of unstable_step() where not every scheme is stable: for now
+/// and then.
 /// @see mpm::unstable_step(), Eqs. (M174), (M199)
 template <int D, int V>
 [[nodiscard]] std::string instability(const Scene& scene, const mpm::State<D, V>& state,

@@ -39,7 +39,8 @@ template <int D>
 /// critical_step() of the largest rates, State::rates, and that if all points have them. Infinite without
 /// sound and viscosity. Of waves that all nodes take part in, those that walls hold too; derived for points
 /// of equal mass in a lattice, and under Apic and Order::usl for any; else found, and but for Order::usl not
-/// where points lie in pairs, which may bear more. Takes a pass over the points for each axis.  Eq. (M199)
+/// where points lie in pairs, which may bear more; not under means over cells, Averaging, but for both of
+/// them on Linear. Takes a pass over the points for each axis.  Eq. (M199)
 /// @throws InputError naming a point without a finite position, or if velocities are filtered under another
 /// transfer than PicFlip with all of the increment.
 template <int D, int V>
