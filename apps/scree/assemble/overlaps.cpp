@@ -1,6 +1,7 @@
 #include "scree/assemble/overlaps.hpp"
 
 #include "scree/assemble/ground.hpp"
+#include "scree/scene/axes.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,6 +9,8 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace scree::app {
@@ -58,6 +61,24 @@ void require_apart(const Solid& a, const Solid& b, const CartesianGrid<D>& grid)
       a.name, b.name, fmt::join(x.begin(), x.end(), ", "), -a.distances[*worst], -b.distances[*worst])};
 }
 
+/// How far from a point its shape function is not zero [spacings].
+[[nodiscard]] double reach_of(const mpm::AnyShape& any_shape) noexcept {
+  return std::visit(
+      []<class Shape>(const Shape& shape) {
+        if constexpr (std::is_same_v<Shape, mpm::Gimp>) return 1 + shape.half_width();
+        return static_cast<double>(Shape::support) / 2;
+      },
+      any_shape);
+}
+
+/// Up to which height over a wall material feels it [spacings]; 0 of none.
+[[nodiscard]] double felt_height(const WallScene& wall, const mpm::AnyShape& shape) noexcept {
+  if (std::holds_alternative<OpenEnd>(wall)) return 0;
+  const auto* plain = std::get_if<mpm::AnyWall>(&wall);
+  const bool slips = plain != nullptr && std::holds_alternative<mpm::Slip>(*plain);
+  return reach_of(shape) - (slips ? 1 : 0);
+}
+
 }  // namespace
 
 template <int D>
@@ -77,7 +98,42 @@ void require_apart(const Scene& scene, const CartesianGrid<D>& grid, const mpm::
   }
 }
 
+template <int D>
+std::string wall_under_ground_warning(const Scene& scene, const CartesianGrid<D>& grid,
+                                      const mpm::AnySurface<D>& ground) {
+  const int up = normal_component(D);
+  const auto axis = static_cast<std::size_t>(up);
+  if (!ground || scene.axes[axis].is_periodic) return {};
+  const double felt = felt_height(scene.axes[axis].low, scene.shape) * grid.spacing()[up];
+  const double rounding = 1e-6 * grid.spacing()[up];  // as of ground through the nodes of the wall
+  Lattice<D> nodes = grid.nodes();
+  nodes.count[axis] = 1;
+  double lowest = felt - rounding;
+  std::optional<Vector<D>> place;
+  for (Index n = 0; n < nodes.num_sites(); ++n) {
+    const Vector<D> x = nodes.position(nodes.site(n));
+    const mpm::FromSurface<D> seen = ground(x);
+    const double height = -seen.distance / seen.normal[up];
+    if (!(seen.normal[up] > 0 && -rounding <= height && height < lowest)) continue;
+    lowest = height;
+    place = x;
+  }
+  if (!place) return {};
+  return fmt::format(
+      "[terrain] lies {:.4g} m above [boundaries] {}_low at ({:.6g}) m, and what lies less than {:.4g} m "
+      "above "
+      "this wall is held by it, too, and presses less on the ground: make the end \"open\", which ground "
+      "closes, or the ground higher",
+      std::max(lowest, 0.0), axis_names(D)[axis], fmt::join(place->begin(), place->end(), ", "), felt);
+}
+
 template void require_apart(const Scene&, const CartesianGrid<2>&, const mpm::AnySurface<2>&);
 template void require_apart(const Scene&, const CartesianGrid<3>&, const mpm::AnySurface<3>&);
+template std::string wall_under_ground_warning(const Scene&, const CartesianGrid<1>&,
+                                               const mpm::AnySurface<1>&);
+template std::string wall_under_ground_warning(const Scene&, const CartesianGrid<2>&,
+                                               const mpm::AnySurface<2>&);
+template std::string wall_under_ground_warning(const Scene&, const CartesianGrid<3>&,
+                                               const mpm::AnySurface<3>&);
 
 }  // namespace scree::app

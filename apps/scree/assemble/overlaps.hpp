@@ -5,6 +5,8 @@
 #include <scree/grid.hpp>
 #include <scree/mpm/terrain/signed_distance.hpp>
 
+#include <string>
+
 namespace scree::app {
 
 /// Checks that no body begins in the ground or in another body: the solid parts of two that overlap share no
@@ -14,5 +16,13 @@ namespace scree::app {
 /// @throws InputError naming both, the node that is deepest in both, and how deep.
 template <int D>
 void require_apart(const Scene& scene, const CartesianGrid<D>& grid, const mpm::AnySurface<D>& ground);
+
+/// What to say of ground that lies so close above the low end of the axis of gravity that the wall there
+/// holds what lies on the ground, too; else nothing. A wall that lets slip does so where shape functions of
+/// points reach past it, another where they reach it. Looks at the nodes of that end.
+/// @param ground of the scene; none: there is none
+template <int D>
+[[nodiscard]] std::string wall_under_ground_warning(const Scene& scene, const CartesianGrid<D>& grid,
+                                                    const mpm::AnySurface<D>& ground);
 
 }  // namespace scree::app

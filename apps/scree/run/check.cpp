@@ -1,3 +1,5 @@
+#include "scree/assemble/make_stages.hpp"
+#include "scree/assemble/overlaps.hpp"
 #include "scree/run/run.hpp"
 #include "scree/run/simulation.hpp"
 #include "scree/run/stability.hpp"
@@ -32,6 +34,9 @@ std::string cost_of(const Scene& scene) {
     if (!few.empty()) lines += "warning: " + few + "\n";
     const std::string soft = softness_warning(simulation);
     if (!soft.empty()) lines += "warning: " + soft + "\n";
+    const std::string walls =
+        wall_under_ground_warning(scene, simulation.grid(), ground_of<dimensions()>(scene));
+    if (!walls.empty()) lines += "warning: " + walls + "\n";
     return lines;
   });
   const std::string warning = ill_posedness_warning(scene);

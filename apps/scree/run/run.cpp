@@ -1,5 +1,7 @@
 #include "scree/run/run.hpp"
 
+#include "scree/assemble/make_stages.hpp"
+#include "scree/assemble/overlaps.hpp"
 #include "scree/run/frames.hpp"
 #include "scree/run/interrupt.hpp"
 #include "scree/run/progress.hpp"
@@ -63,6 +65,9 @@ class RunOnDisk {
       fmt::print(stderr, "scree: warning: {}\n", few);
     }
     if (!soft_.empty()) fmt::print(stderr, "scree: warning: {}\n", soft_);
+    const Scene& scene = simulation_.scene();
+    const std::string walls = wall_under_ground_warning(scene, simulation_.grid(), ground_of<D>(scene));
+    if (!walls.empty()) fmt::print(stderr, "scree: warning: {}\n", walls);
     const InterruptGuard guard;
     Outcome outcome = Outcome::finished;
     std::optional<Standing> last;
