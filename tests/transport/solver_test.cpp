@@ -9,8 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 
 namespace scree::transport {
 namespace {
@@ -236,6 +239,36 @@ TEST(Solver, NamesTheSiteOfANaNAndLeavesTheStateAsItWas) {  // though the speed 
 
   EXPECT_EQ(message, "transport: the rate of change is not finite at site (1, 1), position (0.375, 0.375) m");
   for (std::size_t i = 0; i < u.size(); ++i) EXPECT_TRUE(u[i] == before[i] || i == 9);
+}
+
+/// Minmod of two that are no numbers is 0, but the value of the cell between them is none: it and the cells
+/// that share a face with it have no rate, of which the first is named.
+TEST(Solver, NamesTheFirstCellBesideANaNUnderMinmodWhereverThatIs) {
+  constexpr Index edge = 4;
+  const Lattice<2> lattice = test::cube<2>(edge);
+  for (const double theta : {1.0, 2.0}) {
+    ASSERT_EQ(Minmod{theta}(std::nan(""), std::nan("")), 0);
+    for (Index n = 0; n < lattice.num_sites(); ++n) {
+      std::vector<double> u(16, 1.0);
+      u[static_cast<std::size_t>(n)] = std::nan("");
+      Index first = n;
+      for (const std::size_t axis : {0U, 1U}) {
+        for (const Index step : {Index{1}, edge - 1}) {  // the mesh is periodic
+          Indices<2> beside = lattice.site(n);
+          beside[axis] = (beside[axis] + step) % edge;
+          first = std::min(first, beside[0] + edge * beside[1]);
+        }
+      }
+      Solver solver{Cartesian<2>{lattice}, Advection<2>{Vector<2>{1, 0}}, PiecewiseLinear{Minmod{theta}}};
+
+      const auto message = test::message_of<RunError>([&] { solver.advance(u, 1); });
+
+      const Indices<2> named = lattice.site(first);
+      const std::string expected = "transport: the rate of change is not finite at site (" +
+                                   std::to_string(named[0]) + ", " + std::to_string(named[1]) + "), position";
+      EXPECT_EQ(message.substr(0, expected.size()), expected) << n;
+    }
+  }
 }
 
 }  // namespace
