@@ -31,6 +31,7 @@ struct Case {
   int threads = 1;
   double share = 1;  ///< of the mesh that is filled, about: more is empty
   Base base = Base::none;
+  double cells_per_step = 0;  ///< that all points go along the first axis, which is periodic; 0: the swirl
 };
 
 template <int D>
@@ -116,8 +117,13 @@ void step_of_points(benchmark::State& bench, const AnyShape& shape, const AnyTra
   const Index pad = what.base == Base::none ? 5 : 0;
   const double edge = static_cast<double>(what.fill + 2 * pad) / std::pow(what.share, 1.0 / D);
   const double spacing = 1.0 / static_cast<double>(what.fill);
-  const auto grid = cube<D>(static_cast<Index>(edge), spacing, false);
+  const double dt = 0.02 * 0.4 * spacing / 20;  // so short that hardly anything changes, but all is computed
+  const auto grid = cube<D>(static_cast<Index>(edge), spacing, what.cells_per_step > 0);
   auto particles = swirl<D>(grid, what.fill, pad);
+  if (what.cells_per_step > 0) {
+    std::ranges::fill(particles.velocity.values(), 0.0);
+    std::fill_n(particles.velocity.component(0), particles.size(), what.cells_per_step * spacing / dt);
+  }
   const Index num_points = particles.size();
   const Fluid fluid{.bulk_modulus = 4e5, .reference_density = 1000, .viscosity = 0.1};  // sound: 20 m/s
   Classes<D> classes{particles, grid, shape, what.num_classes};
@@ -125,7 +131,6 @@ void step_of_points(benchmark::State& bench, const AnyShape& shape, const AnyTra
   stand(particles, shape, what.base, stages);
   const Threads threads{what.threads};
   auto state = start(std::move(particles), grid, stages, threads);
-  const double dt = 0.02 * 0.4 * spacing / 20;  // so short that hardly anything changes, but all is computed
   for (int n = 0; n < 3; ++n) step(state, stages, dt, threads);
   state.seconds = {};
 
@@ -142,6 +147,7 @@ void step_of_points(benchmark::State& bench, const AnyShape& shape, const AnyTra
       static_cast<double>(state.particles.held_bytes()) / static_cast<double>(num_points);
   bench.counters["bytes_in_use"] = static_cast<double>(state.particles.bytes_per_particle());
   bench.counters["gather_ns"] = state.seconds.gather / updates * 1e9;
+  bench.counters["sort_ns"] = state.seconds.sort / updates * 1e9;
 }
 
 /// Fractions to the sites and back alone.
@@ -158,7 +164,7 @@ void classes_of_points(benchmark::State& bench, Index fill, int count, Sites sit
   bench.SetItemsProcessed(bench.iterations() * num_points);
 }
 
-/// What a sort costs, and so how often it may come: it is due when a point has gone a cell.
+/// What a sort costs.
 template <int D>
 void sort_of_points(benchmark::State& bench, Index fill) {
   const auto grid = cube<D>(fill + 10, 1.0 / static_cast<double>(fill), false);
@@ -198,6 +204,7 @@ void add_all() {
          {.fill = fill, .base = Base::wall_that_reads});
   add<D>("apic_quadratic_body_that_reads", Quadratic{}, Apic{},
          {.fill = fill, .base = Base::body_that_reads});
+  add<D>("apic_quadratic_stream", Quadratic{}, Apic{}, {.fill = fill, .cells_per_step = 0.2});
   for (const int count : {2, 8}) {
     for (const Sites sites : {Sites::cells, Sites::nodes}) {
       const std::string name = std::to_string(D) + "D_" + std::to_string(count) + "_classes_" +

@@ -387,10 +387,11 @@ TEST(CutShapes, KeepPlacesOfPointsBesideThemAlone) {
 
   step(state, stages, 1e-3, one_thread);
 
-  const Index last_node = stages.transfer->tile_edge() - 2;  // of a block, from its first cell on
+  const Index last_node =
+      stages.transfer->tile_edge() - 1 - block_skin<2>;  // of a block, from its first cell on
   Index num_kept = 0;
   for (const ParticleBlock<2>& block : state.blocks.blocks) {
-    const bool is_beside = block.first_cell[0] <= 0 || block.first_cell[1] + last_node > num_cells;
+    const bool is_beside = block.first_cell[0] < block_skin<2> || block.first_cell[1] + last_node > num_cells;
     num_kept += is_beside ? 1 : 0;
     for (Index p = block.begin; p < block.end; ++p) {
       for (const Index place : {p, p + state.particles.size()}) {

@@ -35,19 +35,19 @@ ParticleBlocks<D> all_blocks(const CartesianGrid<D>& grid, Index edge = block_ed
   return blocks;
 }
 
-/// The nodes that points of a block can give to: one cell beyond it to either side, and their stencils.
+/// The nodes that points of a block can give to: its skin to either side, and their stencils.
 template <int D>
 std::vector<Index> nodes_of(const ParticleBlock<D>& block, const CartesianGrid<D>& grid, Index edge,
                             Index support) {
   const Lattice<D> nodes = grid.nodes();
   Lattice<D> reached;
-  reached.count.fill(1 + edge + support);
+  reached.count.fill(2 * block_skin<D> + edge + support - 1);
   std::set<Index> found;
   for (Index r = 0; r < reached.num_sites(); ++r) {
     Indices<D> node = reached.site(r);
     for (std::size_t axis = 0; axis < D; ++axis) {
       const Index n = nodes.count[axis];
-      node[axis] += block.first_cell[axis] - 1;
+      node[axis] += block.first_cell[axis] - block_skin<D>;
       node[axis] =
           grid.is_periodic()[axis] ? (node[axis] % n + n) % n : std::clamp<Index>(node[axis], 0, n - 1);
     }

@@ -117,7 +117,7 @@ CarriedBlock<D> CarriedCells<D, V>::opened(const Particles<D, V>& particles, con
   [[maybe_unused]] const bool is_cells = lattice_.sites == Sites::cells;
   [[maybe_unused]] const double shift =
       is_cells ? 0 : std::visit([](const auto& shape) { return shape.shift; }, shape_);
-  SCREE_ASSERT(is_in_reach(open, shift, edge + 2 + (is_cells ? 1 : 0)));
+  SCREE_ASSERT(is_in_reach(open, shift, edge + 2 * block_skin<D> + (is_cells ? 1 : 0)));
   return open;
 }
 

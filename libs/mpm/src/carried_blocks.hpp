@@ -21,7 +21,7 @@ template <int D>
   return baseline::carried_kernels<D>(sites, shape);
 }
 
-/// @param part_of from a site along an axis (mesh numbering, from -1 on) and the axis to the part that it has
+/// @param part_of from a site along an axis (mesh numbering) and the axis to the part that it has
 ///        in the number of a site; negative if there is no such site
 template <int D, int V, class PartOf>
 [[nodiscard]] CarriedBlock<D> opened(const CartesianGrid<D>& grid, const Particles<D, V>& particles,
@@ -33,7 +33,7 @@ template <int D, int V, class PartOf>
   open.begin = block.begin;
   open.end = block.end;
   for (std::size_t axis = 0; axis < D; ++axis) {
-    const Index first = block.first_cell[axis] - 1;
+    const Index first = block.first_cell[axis] - block_skin<D>;
     open.origin[axis] = grid.origin()[static_cast<int>(axis)];
     open.inverse_spacing[axis] = 1 / grid.spacing()[static_cast<int>(axis)];
     open.first[axis] = static_cast<double>(first);

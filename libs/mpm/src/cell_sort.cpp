@@ -3,6 +3,7 @@
 #include "point_text.hpp"
 
 #include <scree/mpm/cell_sort.hpp>
+#include <scree/mpm/point_transfer.hpp>
 #include <scree/pack_size.hpp>
 
 #include <algorithm>
@@ -32,15 +33,20 @@ struct Numbering {
     for (const Index n : num_blocks) product *= n;
     return product;
   }
-  [[nodiscard]] Index key(const Indices<D>& base) const {
-    Index block = 0;
-    Index cell = 0;
-    for (std::size_t axis = D; axis-- > 0;) {
-      const Index shifted = base[axis] + 1;
-      block = block * num_blocks[axis] + shifted / edge;
-      cell = cell * edge + shifted % edge;
+  /// What a stencil's place along each axis adds to the number of its cell, from base -1 on: their sum is the
+  /// number.
+  [[nodiscard]] std::array<std::vector<Index>, D> parts(const CartesianGrid<D>& grid) const {
+    std::array<std::vector<Index>, D> parts;
+    Index block_step = cells_per_block;
+    Index cell_step = 1;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      for (Index shifted = 0; shifted <= grid.num_cells()[axis]; ++shifted) {
+        parts[axis].push_back(shifted / edge * block_step + shifted % edge * cell_step);
+      }
+      block_step *= num_blocks[axis];
+      cell_step *= edge;
     }
-    return block * cells_per_block + cell;
+    return parts;
   }
   [[nodiscard]] Indices<D> first_cell(Index block) const {
     Indices<D> cell{};
@@ -67,25 +73,53 @@ template <int D, int V>
   throw OutsideMesh{point_text(particles, p) + " is outside the mesh " + box + " m"};
 }
 
+/// As std::floor, of numbers that an Index can hold.
+[[nodiscard]] Index floor_of(double x) noexcept {
+  const auto whole = static_cast<Index>(x);
+  return x < static_cast<double>(whole) ? whole - 1 : whole;
+}
+
+constexpr Index no_mass = -1;  ///< instead of a number
+constexpr Index outside = -2;
+
+/// The number of each point's cell.
 template <int D, int V>
 [[nodiscard]] std::vector<Index> keys_of(Particles<D, V>& particles, const CartesianGrid<D>& grid,
-                                         double stencil_shift, const Numbering<D>& numbering) {
-  std::vector<Index> keys(static_cast<std::size_t>(particles.size()), -1);
-  const double* mass = particles.mass.component(0);
-  for (Index p = 0; p < particles.size(); ++p) {
-    if (!(mass[p] > 0)) continue;
-    Indices<D> base{};
+                                         double stencil_shift, const Numbering<D>& numbering,
+                                         Threads threads) {
+  const auto parts = numbering.parts(grid);
+  std::vector<Index> keys(static_cast<std::size_t>(particles.size()), 0);
+  constexpr Index batch = 4096;
+  for_each_block((particles.size() + batch - 1) / batch, threads, [&](Index b) {
+    const Index begin = b * batch;
+    const Index end = std::min(begin + batch, particles.size());
     for (int axis = 0; axis < D; ++axis) {
-      double& x = particles.position.component(axis)[p];
-      x = detail::into_period(x, grid, axis);
-      const double cell = (x - grid.origin()[axis]) / grid.spacing()[axis];
-      const auto end = static_cast<double>(grid.num_cells()[static_cast<std::size_t>(axis)]);
-      if (!(0 <= cell && cell <= end)) throw_outside(particles, grid, p);
-      base[static_cast<std::size_t>(axis)] =
-          std::min(static_cast<Index>(std::floor(cell - stencil_shift)), static_cast<Index>(end) - 1);
+      const std::vector<Index>& part = parts[static_cast<std::size_t>(axis)];
+      const double low = grid.origin()[axis];
+      const double high = low + grid.length(axis);
+      const double inverse_spacing = 1 / grid.spacing()[axis];
+      const Index last = std::ssize(part) - 1;
+      double* const position = particles.position.component(axis);
+      if (grid.is_periodic()[static_cast<std::size_t>(axis)]) {
+        for (Index p = begin; p < end; ++p) position[p] = detail::into_period(position[p], grid, axis);
+      }
+      for (Index p = begin; p < end; ++p) {
+        Index& key = keys[static_cast<std::size_t>(p)];
+        if (!(low <= position[p] && position[p] <= high)) {
+          key = outside;
+        } else if (key != outside) {
+          const Index base = floor_of(coordinate(position[p], low, inverse_spacing, stencil_shift));
+          key += part[static_cast<std::size_t>(std::min(base + 1, last))];
+        }
+      }
     }
-    keys[static_cast<std::size_t>(p)] = numbering.key(base);
-  }
+    const double* const mass = particles.mass.component(0);
+    for (Index p = begin; p < end; ++p) {
+      if (!(mass[p] > 0)) keys[static_cast<std::size_t>(p)] = no_mass;
+    }
+  });
+  const auto first_outside = std::ranges::find(keys, outside);
+  if (first_outside != keys.end()) throw_outside(particles, grid, first_outside - keys.begin());
   return keys;
 }
 
@@ -155,7 +189,7 @@ template <int D, int V>
 ParticleBlocks<D> cell_sort(Particles<D, V>& particles, const CartesianGrid<D>& grid, double stencil_shift,
                             Threads threads, Index edge) {
   const Numbering<D> numbering{grid, edge};
-  Sorting<D> order = order_by(keys_of(particles, grid, stencil_shift, numbering), numbering);
+  Sorting<D> order = order_by(keys_of(particles, grid, stencil_shift, numbering, threads), numbering);
   std::vector<Column*> columns;
   particles.for_each_column([&](Column& column) { columns.push_back(&column); });
   for_each_block(static_cast<Index>(columns.size()), threads,

@@ -2,6 +2,7 @@
 #include <scree/mpm/column.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace scree::mpm {
@@ -21,14 +22,14 @@ void Column::reorder(std::span<const Index> source) {
   const std::size_t num_values = source.size() * static_cast<std::size_t>(num_components_);
   make_room(num_values);
   values_.resize(std::max(values_.size(), num_values));
-  AlignedVector<double> sorted(source.size());
+  const auto sorted = std::make_unique_for_overwrite<double[]>(source.size());
   // A component that moves up would cover those above it, one that moves down those below: these go first.
   const bool grows = size > size_;
   for (int i = 0; i < num_components_; ++i) {
     const int c = grows ? num_components_ - 1 - i : i;
     const double* from = values_.data() + c * size_;
-    std::ranges::transform(source, sorted.begin(), [&](Index old) { return from[old]; });
-    std::ranges::copy(sorted, values_.begin() + c * size);
+    std::ranges::transform(source, sorted.get(), [&](Index old) { return from[old]; });
+    std::copy_n(sorted.get(), size, values_.begin() + c * size);
   }
   values_.resize(num_values);
   size_ = size;

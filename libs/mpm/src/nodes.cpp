@@ -1,5 +1,9 @@
 #include <scree/mpm/nodes.hpp>
 
+#include <algorithm>
+#include <numeric>
+#include <string>
+
 namespace scree::mpm {
 
 namespace {
@@ -43,6 +47,13 @@ void append_box(const Nodes<D>& nodes, const Indices<D>& corner, Index edge, std
   }
 }
 
+/// Appends begin, begin + 1, .. end - 1.
+void append_range(Index begin, Index end, std::vector<Index>& numbers) {
+  const std::size_t before = numbers.size();
+  numbers.resize(before + static_cast<std::size_t>(end - begin));
+  std::iota(numbers.begin() + static_cast<std::ptrdiff_t>(before), numbers.end(), begin);
+}
+
 }  // namespace
 
 template <int D>
@@ -50,15 +61,15 @@ void Nodes<D>::use(std::span<const Indices<D>> corners, Index edge) {
   clear();
   std::vector<NodeRun> pieces;
   for (const Indices<D>& corner : corners) append_box(*this, corner, edge, pieces);
-  std::sort(pieces.begin(), pieces.end(),
-            [](const NodeRun& a, const NodeRun& b) { return a.begin < b.begin; });
+  constexpr char in_use = 1;
+  std::string marks(static_cast<std::size_t>(num_nodes()), 0);
+  for (const NodeRun& piece : pieces)
+    std::fill_n(marks.begin() + piece.begin, piece.end - piece.begin, in_use);
   runs_.clear();
-  for (const NodeRun& piece : pieces) {
-    if (!runs_.empty() && piece.begin <= runs_.back().end) {
-      runs_.back().end = std::max(runs_.back().end, piece.end);
-    } else {
-      runs_.push_back(piece);
-    }
+  for (std::size_t begin = marks.find(in_use); begin < marks.size();) {
+    const std::size_t end = std::min(marks.find('\0', begin), marks.size());
+    runs_.push_back({static_cast<Index>(begin), static_cast<Index>(end)});
+    begin = marks.find(in_use, end);
   }
   find_batches();
   find_images();
@@ -87,13 +98,19 @@ void Nodes<D>::find_batches() {
 
 template <int D>
 void Nodes<D>::find_images() {
-  for (std::size_t axis = 0; axis < D; ++axis) {
-    for (auto& images : images_[axis]) images.clear();
-    for (const NodeRun& run : runs_) {
-      for (Index node = run.begin; node < run.end; ++node) {
-        const Index place = node / stride_[axis] % count_[axis];
-        if (place == 0) images_[axis][0].push_back(node);
-        if (place == count_[axis] - 1) images_[axis][1].push_back(node);
+  for (auto& of_axis : images_) {
+    for (auto& images : of_axis) images.clear();
+  }
+  for (const NodeRun& run : runs_) {
+    Index end = run.begin;
+    for (Index begin = run.begin; begin < run.end; begin = end) {  // row by row
+      end = std::min(run.end, (begin / count_[0] + 1) * count_[0]);
+      if (begin % count_[0] == 0) images_[0][0].push_back(begin);
+      if (end % count_[0] == 0) images_[0][1].push_back(end - 1);
+      for (std::size_t axis = 1; axis < D; ++axis) {
+        const Index place = begin / stride_[axis] % count_[axis];
+        if (place == 0) append_range(begin, end, images_[axis][0]);
+        if (place == count_[axis] - 1) append_range(begin, end, images_[axis][1]);
       }
     }
   }

@@ -11,15 +11,15 @@ namespace {
 
 /// Whether a point of the block may be in the box. A block's points were in the cells from its first one to
 /// two beyond its last one when they were sorted, as far as a stencil may begin before a point, and have
-/// moved by a cell at most.
+/// moved by its skin at most.
 template <int D>
 [[nodiscard]] bool may_reach(const ParticleBlock<D>& block, Index edge, const Outflow<D>& outflow,
                              const CartesianGrid<D>& grid) {
   for (int axis = 0; axis < D; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     if (grid.is_periodic()[a]) continue;
-    const auto first = static_cast<double>(block.first_cell[a] - 1);
-    const auto last = static_cast<double>(block.first_cell[a] + edge + 2);
+    const auto first = static_cast<double>(block.first_cell[a] - block_skin<D>);
+    const auto last = static_cast<double>(block.first_cell[a] + edge + 1 + block_skin<D>);
     if (outflow.high[axis] < grid.origin()[axis] + first * grid.spacing()[axis] ||
         outflow.low[axis] > grid.origin()[axis] + last * grid.spacing()[axis]) {
       return false;

@@ -20,7 +20,7 @@ template <int D>
   for (std::size_t axis = 0; axis < D; ++axis) {
     tile[axis].fill(-1);
     for (Index i = 0; i < edge; ++i) {
-      const Index place = nodes.place(block.first_cell[axis] - 1 + i, axis);
+      const Index place = nodes.place(block.first_cell[axis] - block_skin<D> + i, axis);
       if (place >= 0) tile[axis][static_cast<std::size_t>(i)] = place * nodes.stride(axis);
     }
   }

@@ -26,7 +26,7 @@ void use_blocks(State<D, V>& state, const Stages<D, V>& stages) {
     corners.reserve(state.blocks.blocks.size());
     for (const ParticleBlock<D>& block : state.blocks.blocks) {
       corners.push_back(block.first_cell);
-      for (Index& node : corners.back()) --node;
+      for (Index& node : corners.back()) node -= block_skin<D>;
     }
     state.nodes.use(corners, stages.transfer->tile_edge());
   }

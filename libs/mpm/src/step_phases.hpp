@@ -119,7 +119,7 @@ template <int D, int V>
     const std::optional<MeshEnd> end = boundary->cuts_shapes();
     if (!end) return false;
     const auto axis = static_cast<std::size_t>(end->axis);
-    const Index first = block.first_cell[axis] - 1;
+    const Index first = block.first_cell[axis] - block_skin<D>;
     return end->side == Side::low ? first < 0
                                   : first + stages.transfer->tile_edge() - 1 > grid.num_cells()[axis];
   });

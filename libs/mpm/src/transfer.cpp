@@ -40,9 +40,7 @@ class TransferBy final : public Transfer<D, V> {
   [[nodiscard]] NodeRecord record() const noexcept override { return record_; }
   [[nodiscard]] double stencil_shift() const noexcept override { return shift_; }
   [[nodiscard]] Index sort_edge() const noexcept override { return sort_edge_; }
-  [[nodiscard]] Index tile_edge() const noexcept override {
-    return sort_edge_ + static_cast<Index>(support_) + 1;
-  }
+  [[nodiscard]] Index tile_edge() const noexcept override { return tile_edge_of<D>(sort_edge_, support_); }
 
   void scatter(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
                double dt) const noexcept override {
@@ -100,8 +98,8 @@ class TransferBy final : public Transfer<D, V> {
       const int a = static_cast<int>(axis);
       place.origin[axis] = grid.origin()[a];
       place.inverse_spacing[axis] = 1 / grid.spacing()[a];
-      place.first_base[axis] = static_cast<double>(block.first_cell[axis] - 1);
-      place.beyond_base[axis] = static_cast<double>(block.first_cell[axis] + sort_edge_ + 1);
+      place.first_base[axis] = static_cast<double>(block.first_cell[axis] - block_skin<D>);
+      place.beyond_base[axis] = static_cast<double>(block.first_cell[axis] + sort_edge_ + block_skin<D>);
       if (grid.is_periodic()[axis]) continue;
       place.low[axis] = grid.origin()[a];
       place.high[axis] = grid.origin()[a] + grid.length(a);
@@ -116,8 +114,9 @@ class TransferBy final : public Transfer<D, V> {
     tile.values = values;
     const auto edge = static_cast<std::size_t>(tile_edge());
     for (std::size_t axis = 0; axis < D; ++axis) {
+      const Index first = block.first_cell[axis] - block_skin<D>;
       for (std::size_t i = 0; i < edge; ++i) {
-        const Index place = nodes.place(block.first_cell[axis] - 1 + static_cast<Index>(i), axis);
+        const Index place = nodes.place(first + static_cast<Index>(i), axis);
         tile.offset[axis][i] = place < 0 ? -1 : place * nodes.stride(axis) * record_.size();
       }
     }

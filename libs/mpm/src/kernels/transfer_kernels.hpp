@@ -11,12 +11,12 @@
 /// What the library hands to its kernels: bare arrays and numbers, nothing that has code of its own.
 namespace scree::mpm {
 
-/// The nodes that a block's points can reach while they stay within one cell of it.
+/// The nodes that a block's points can reach while they stay within its skin.
 template <int D, std::size_t S>
 struct TileShape {
   static_assert(S <= max_support);
-  static constexpr Index edge = block_edge<D, S> + static_cast<Index>(S) + 1;
-  static_assert(block_edge<D, S> > static_cast<Index>(S), "blocks of one colour would share nodes");
+  static constexpr Index edge = tile_edge_of<D>(block_edge<D, S>, S);
+  static_assert(edge <= 2 * block_edge<D, S>, "blocks of one colour would share nodes");
   static constexpr Index num_nodes = D == 1 ? edge : D == 2 ? edge * edge : edge * edge * edge;
 };
 
@@ -33,7 +33,14 @@ struct BlockPlace {
 
 /// Edge of the largest tile.
 template <int D>
-inline constexpr std::size_t max_tile_edge = block_edge<D, max_support> + max_support + 1;
+inline constexpr std::size_t max_tile_edge = tile_edge_of<D>(block_edge<D, max_support>, max_support);
+
+/// Nodes of a tile, from `begin` up to but not `end` along each axis.
+template <int D>
+struct TilePart {
+  Components<Index, D> begin{};
+  Components<Index, D> end{};
+};
 
 /// The nodes of a tile in the mesh: where the record of node (i, j, k) begins, offset[0][i] + offset[1][j] +
 /// ..; an axis has no node where its offset is negative.

@@ -7,12 +7,23 @@
 namespace scree::mpm {
 
 /// Edge of a block of cells along each axis [cells], for stencils of so many nodes: its nodes, with their
-/// halo, stay in the first cache. Must exceed the stencil, so that blocks of one colour share no node.
+/// halo, stay in the first cache.
 template <int D, std::size_t support = 3>
 inline constexpr Index block_edge = D == 1         ? 32
                                     : D == 2       ? 8
                                     : support <= 3 ? 4
                                                    : 5;
+
+/// How far points may go from their block before all are sorted anew [cells]: the wider, the fewer sorts, and
+/// the larger a block's tile of nodes.
+template <int D>
+inline constexpr Index block_skin = D == 2 ? 2 : 1;
+
+/// Nodes along each axis that a block's points can reach, from `block_skin` before its first cell on.
+template <int D>
+[[nodiscard]] constexpr Index tile_edge_of(Index block_edge, std::size_t support) noexcept {
+  return block_edge + 2 * block_skin<D> + static_cast<Index>(support) - 1;
+}
 
 /// The widest stencil of momentum, of cubic splines [nodes].
 inline constexpr std::size_t max_support = 4;

@@ -9,7 +9,7 @@
 namespace scree::mpm {
 
 /// A run of consecutive points whose stencils, when they were sorted, began in one block of cells. A point
-/// may since have moved by up to one cell beyond the block; then all are sorted anew.
+/// may since have gone up to `block_skin` cells beyond the block; then all are sorted anew.
 template <int D>
 struct ParticleBlock {
   Indices<D> first_cell{};  ///< lowest stencil base of the block

@@ -26,7 +26,7 @@ class Transfer {
   [[nodiscard]] virtual double stencil_shift() const noexcept = 0;
   /// Edge of the blocks that points are to be sorted into [cells].
   [[nodiscard]] virtual Index sort_edge() const noexcept = 0;
-  /// Nodes along each axis that a block's points can reach, from the one before its first cell on.
+  /// Nodes along each axis that a block's points can reach, from `block_skin` before its first cell on.
   [[nodiscard]] virtual Index tile_edge() const noexcept = 0;
 
   /// Adds mass, momentum, and force (an impulse over dt [s] unless nodes have increments) of a block's
