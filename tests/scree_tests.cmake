@@ -4,16 +4,16 @@ include(GoogleTest)
 # What the fast tests run: all that has to be built under the sanitizers.
 add_custom_target(fast_tests)
 
-# Fast tests ask what is computed, flows also how soon: in the optimised build the former are compiled with little
-# optimisation, in half the time. The libraries that they call are always those that users get.
-set(scree_fast_test_options $<$<CONFIG:Release>:-O1>)
+# Most of what a test runs is in the libraries, which are always those that users get: in the optimised build the tests
+# themselves are compiled with little optimisation, in half the time.
+set(scree_test_options $<$<CONFIG:Release>:-O1>)
 
-# The headers that nearly every fast test reads, compiled once: they are half the time of a small test. Only those of
+# The headers that nearly every test reads, compiled once: they are half the time of a small test. Only those of
 # others: ours are seen as users see them.
 add_library(scree_test_headers OBJECT test_headers.cpp)
 target_link_libraries(scree_test_headers PRIVATE scree::base GTest::gtest GTest::gmock)
 target_compile_features(scree_test_headers PRIVATE cxx_std_20)
-target_compile_options(scree_test_headers PRIVATE ${scree_fast_test_options})
+target_compile_options(scree_test_headers PRIVATE ${scree_test_options})
 scree_private_flags(scree_test_headers)  # the flags of those that share it
 target_precompile_headers(scree_test_headers PRIVATE
   <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <limits> <map> <memory> <numbers> <numeric> <random>
@@ -30,13 +30,13 @@ function(scree_test_shards name)
   endforeach()
 endfunction()
 
-# scree_tests(<name> SOURCES <files> LINK <targets> [LABEL <label>])
+# scree_tests(<name> SOURCES <files> LINK <targets> [LABEL <label>] [OPTIMISED])
 #
 # One test program. Its tests are labelled fast: they run every day, and under the sanitizers. LABEL flow is for
 # those that compute whole flows, or are too dear there, and run every day in the optimised build only, LABEL verify for those of many
-# minutes, which belong to `./dev verify`.
+# minutes, which belong to `./dev verify`. OPTIMISED are those that run long in code of headers.
 function(scree_tests name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LABEL" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OPTIMISED" "LABEL" "SOURCES;LINK")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gmock GTest::gtest_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
@@ -45,7 +45,9 @@ function(scree_tests name)
   if(NOT arg_LABEL)
     set(arg_LABEL fast)
     add_dependencies(fast_tests ${name})
-    target_compile_options(${name} PRIVATE ${scree_fast_test_options})
+  endif()
+  if(NOT arg_OPTIMISED)
+    target_compile_options(${name} PRIVATE ${scree_test_options})
     target_precompile_headers(${name} REUSE_FROM scree_test_headers)
   endif()
   # Its sources are never read as one: each has names of its own.
