@@ -25,7 +25,11 @@ COLOURS = {
     "xpic_2": "#0f8a6c",
 }
 STYLES = {1: ":", 2: "-", 3: "--"}  # by points along each axis of a cell
-ORDERS = {"usl": ("black", "-"), "musl": ("#d0149c", "--"), "usf": ("#00a3c4", ":")}
+ORDERS = {  # musl, wide and pale, lies under usf, which costs nearly the same
+    "usl": {"color": "black", "linestyle": "-", "linewidth": 2.5, "zorder": 3},
+    "musl": {"color": "#d0149c", "linestyle": "-", "linewidth": 7, "zorder": 2, "alpha": 0.4},
+    "usf": {"color": "#007a99", "linestyle": "--", "linewidth": 2.5, "zorder": 3},
+}
 FONT = 13
 ERRORS_OF_A_LINE = 200  # between the largest and the least
 PANEL = 2.9  # height of a row [inch]
@@ -59,7 +63,7 @@ def draw(problems: dict[str, list[Line]], chosen: dict[str, Sequence[Choice]], s
         column[-1].set_xlabel("CPU time [s]", fontsize=FONT)
     handles = [Line2D([], [], color=colour, label=name, linewidth=3) for name, colour in COLOURS.items()]
     handles += [Line2D([], [], color="black", linestyle=style, label=f"{number}² points", linewidth=2) for number, style in STYLES.items()]
-    handles += [Line2D([], [], color=colour, linestyle=style, label=name, linewidth=3) for name, (colour, style) in ORDERS.items()]
+    handles += [Line2D([], [], label=name, **style) for name, style in ORDERS.items()]
     figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, (BELOW - 0.6) / height), ncol=4, fontsize=FONT, frameon=False)
     text = "\n".join(textwrap.fill(f"{TITLES[name]}: {words}", 122) for name, words in sentences.items())
     figure.text(0.5, (BELOW - 1.6) / height, text, ha="center", va="top", fontsize=FONT)
@@ -90,7 +94,7 @@ def _dress(axes: Axes, lines: Sequence[Line]) -> None:
 
 def _circle(axes: Axes, chosen: Sequence[Choice]) -> None:
     for choice in chosen:
-        axes.plot(choice.seconds, choice.error, "o", markersize=13, markerfacecolor="none", color="black", markeredgewidth=2)
+        axes.plot(choice.seconds, choice.reached, "o", markersize=13, markerfacecolor="none", color="black", markeredgewidth=2)
 
 
 def _draw_lines(axes: Axes, lines: Sequence[Line]) -> None:
@@ -100,7 +104,7 @@ def _draw_lines(axes: Axes, lines: Sequence[Line]) -> None:
 
 
 def _draw_orders(axes: Axes, lines: Sequence[Line]) -> None:
-    for order, (colour, style) in ORDERS.items():
+    for order, style in ORDERS.items():
         those = [line for line in lines if line.scheme.order == order]
-        axes.plot(*_runs(those), ".", color=colour, markersize=5, alpha=0.35)
-        axes.plot(*_least_costs(those), color=colour, linestyle=style, linewidth=2.5)
+        axes.plot(*_runs(those), ".", color=style["color"], markersize=5, alpha=0.35)
+        axes.plot(*_least_costs(those), **style)

@@ -18,6 +18,7 @@ class Choice(NamedTuple):
     error: float
     scheme: Scheme
     seconds: float
+    reached: float  # its error at that cost: less than asked for where that is the cost of a run with less
     usual_seconds: float  # inf where they do not get there
     order_seconds: dict[str, float]  # the best of each order of the step; inf likewise
 
@@ -48,7 +49,9 @@ def choices(lines: Sequence[Line]) -> list[Choice]:
         preferred = [USUAL, *(choice.scheme for choice in reversed(result))]
         alike = min(near, key=lambda scheme: (_differences(scheme, USUAL), costs[scheme]))
         best = next((scheme for scheme in preferred if scheme in near), alike)
-        result.append(Choice(error, best, costs[best], costs.get(USUAL, math.inf), _best_of_orders(costs)))
+        line_of_best = next(line for line in lines if line.scheme == best)
+        reached = dict(zip(line_of_best.seconds, line_of_best.errors)).get(costs[best], error)
+        result.append(Choice(error, best, costs[best], reached, costs.get(USUAL, math.inf), _best_of_orders(costs)))
     return result
 
 

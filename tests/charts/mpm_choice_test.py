@@ -8,10 +8,11 @@ from dataclasses import replace
 from itertools import product
 from pathlib import Path
 
-from mpm_choice import USUAL, choices, error_levels, sentence
+from mpm_choice import EQUAL_COSTS, USUAL, choices, error_levels, sentence
 from mpm_runs import TITLES, Line, Scheme, read_lines
 
 FLIP = Scheme("quadratic", "flip", "usl", 3)
+DEFAULT_OF_SCENES = Scheme("linear", "apic", "usl", 3)
 LINEAR = Scheme("linear", "apic", "musl", 1)
 NAN = math.nan
 SHAPES = ("linear", "quadratic", "cubic", "gimp")
@@ -43,6 +44,14 @@ class ChoiceForMaterialPoints(unittest.TestCase):
 
         self.assertEqual([choice.scheme for choice in chosen], [FLIP, FLIP])
         self.assertEqual((chosen[0].seconds, chosen[0].usual_seconds), (0.5, 1.0))
+
+    def test_lies_on_the_line_of_its_scheme(self) -> None:
+        better = line(FLIP, (0.5, 8.0), (0.032, 0.005))
+
+        chosen = choices([line(USUAL, (1.0, 16.0), (0.04, 0.02)), better])
+
+        self.assertEqual([choice.error for choice in chosen], [0.04, 0.008])
+        self.assertEqual([choice.reached for choice in chosen], [0.032, 0.008])
 
     def test_stays_with_the_usual_scheme_where_another_saves_less_than_repeats(self) -> None:
         near = line(FLIP, (0.81, 12.9), (0.04, 0.01))
@@ -163,9 +172,28 @@ class WordsOfTheDocuments(unittest.TestCase):
         self.assertIn(f"errors on the finest mesh are {least:.2f} to {most:.2f} of those of `usl`", self.page)
         least, most = change_of_error(pairs["collapse"], {*SHAPES}, {"flip"})
         self.assertIn(f"FLIP has {least:.1f} to {most:.1f} times the error on the collapse", self.page)
-        on_four_points = [pair for pair in pairs["turning_ring"] if pair[0].scheme.points_per_axis == 2]
-        least, most = change_of_error(on_four_points, {"gimp"}, {*TRANSFERS} - {"pic"})
-        self.assertIn(f"`gimp` on \\f$2^2\\f$ points leave {least:.1f} to {most:.0f} times the error on the ring", self.page)
+        (least, most), (least_on_nine, most_on_nine) = (
+            change_of_error(
+                [pair for pair in pairs["turning_ring"] if pair[0].scheme.points_per_axis == number],
+                {"gimp"},
+                {*TRANSFERS} - {"pic"},
+            )
+            for number in (2, 3)
+        )
+        self.assertIn(
+            f"`gimp` on \\f$2^2\\f$ points leave {least:.1f} to {most:.0f} times the error on the ring, on \\f$3^2\\f$ points "
+            f"{least_on_nine:.1f} to {most_on_nine:.1f} times (all but `pic`).",
+            self.page,
+        )
+
+    def test_say_where_the_other_orders_cost_the_same(self) -> None:
+        self.assertIn("not the choice anywhere, nor cheaper anywhere, and on the swing equal.", self.page)
+        for problem, lines in self.problems.items():
+            for choice in choices(lines):
+                for order in ("musl", "usf"):
+                    factor = choice.order_seconds[order] / choice.order_seconds["usl"]
+                    self.assertGreater(factor, 1)
+                    self.assertEqual(factor <= 1 + EQUAL_COSTS, problem == "swing", (problem, order))
 
     def test_say_where_refining_does_not_help(self) -> None:
         ring = [one for one in self.problems["turning_ring"] if one.scheme.transfer != "pic"]
@@ -176,10 +204,41 @@ class WordsOfTheDocuments(unittest.TestCase):
             "every order",
             self.page,
         )
+        boxes = {
+            one.scheme: one.errors[2] / one.errors[1]
+            for one in ring
+            if one.scheme.shape == "gimp" and one.scheme.points_per_axis == 2
+        }
+        least, most = extremes(ratio for scheme, ratio in boxes.items() if scheme.order != "usl")
+        under_usl = {scheme.transfer: ratio for scheme, ratio in boxes.items() if scheme.order == "usl"}
+        self.assertGreater(least, 1)
+        self.assertEqual([transfer for transfer, ratio in under_usl.items() if ratio > 1], ["aflip"])
+        self.assertEqual(str(choices(self.problems["turning_ring"])[0].scheme), "gimp apic, 2² points")
+        self.assertIn(
+            f"`gimp` on \\f$2^2\\f$ points then have {least:.1f} to {most:.1f} times the error under `musl` and `usf` (all but "
+            f"`pic`), and with `aflip` {under_usl['aflip']:.1f} times under `usl`; with `apic` under `usl`, the choice for "
+            f"{choices(self.problems['turning_ring'])[0].error:g}, {under_usl['apic']:.2f} times.",
+            self.page,
+        )
         remedy = [one for one in ring if one.scheme.shape in SPLINES and not is_on_one_point_or_hats(one.scheme)]
         least, most = extremes(one.errors[2] / one.errors[1] for one in remedy)
         self.assertIn(f"splines on \\f$2^2\\f$ or \\f$3^2\\f$ points, {least:.2f} to {most:.2f} times", self.page)
         self.assertTrue(all(math.isfinite(error) for one in remedy for error in one.errors))
+
+    def test_say_where_runs_end_early(self) -> None:
+        ended = {
+            problem: [(one.scheme, n) for one in lines for n, error in zip(one.cells, one.errors) if math.isnan(error)]
+            for problem, lines in self.problems.items()
+        }
+        runs = sum(len(one.cells) for one in self.problems["collapse"] if one.scheme.shape == "linear")
+        self.assertIn(
+            f"{len(ended['collapse'])} of their {runs} runs of the collapse, {len(ended['turning_ring'])} of the ring and "
+            f"{len(ended['swing'])} of the swing, among them the default of scenes (`apic`, `usl`, \\f$3^2\\f$ points) in the "
+            "collapse on 12 cells. No run on other shapes did. *Remedy*: `quadratic`.",
+            self.page,
+        )
+        self.assertIn((DEFAULT_OF_SCENES, 12), ended["collapse"])
+        self.assertEqual({scheme.shape for some in ended.values() for scheme, _ in some}, {"linear"})
 
 
 if __name__ == "__main__":
