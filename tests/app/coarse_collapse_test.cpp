@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace scree::app::testing {
 namespace {
 
@@ -18,11 +20,11 @@ TEST(CoarseColumnCollapse, RunsOutAsFarAsTheContinuum) {  // Eq. (M198)
 /// Larger and denser ones have a larger I at the same shear, so more friction.
 TEST(CoarseColumnCollapse, RunsOutFartherTheFinerTheGrains) {
   const double of_3_mm = Column(0.5, 32, {3e-3, 2500}).runout();
-  const double of_the_law = Column(0.5, 32).runout();
+  const double of_the_chosen = Column(0.5, 32).runout();
   const double of_1_mm = Column(0.5, 32, {1e-3, 1500}).runout();
 
-  EXPECT_LT(of_3_mm, of_the_law);
-  EXPECT_LT(of_the_law, of_1_mm);
+  EXPECT_LT(of_3_mm, of_the_chosen);
+  EXPECT_LT(of_the_chosen, of_1_mm);
 }
 
 TEST(CoarseValleyCollapse, RunsOutOntoTheFan) {
