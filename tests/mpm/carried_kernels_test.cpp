@@ -37,7 +37,7 @@ struct Cloud {
     }
     blocks = cell_sort(particles, grid, shift, one_thread);
     for (double& x : particles.position.values()) {
-      const double moved = x + (2 * draw(random) - 1) * 0.999 * spacing;
+      const double moved = x + (2 * draw(random) - 1) * block_skin<D> * 0.999 * spacing;
       x = is_periodic ? moved : std::clamp(moved, 0.0, num_cells * spacing);
     }
   }
@@ -127,12 +127,11 @@ class ReferenceCarried {
   Lattice<D> lattice_;
 };
 
-/// How far two ways of rounding can be apart for a weight of a point: a coordinate of up to num_cells is
-/// rounded three times, and no weight changes by more than one per spacing; it takes ten roundings itself.
-/// A product has D of them, each way.
-constexpr double apart(int dimension) {
-  return 2 * round_off * dimension * (3.0 * (num_cells + 1) + 10);
-}
+/// How far two ways of rounding can be apart for a weight of a point: a coordinate of up to num_cells and the
+/// skin is rounded three times, and no weight changes by more than one per spacing; it takes ten roundings
+/// itself. A product has D of them, each way.
+template <int D>
+constexpr double apart = 2 * round_off* D*(3.0 * (num_cells + block_skin<D>)+10);
 
 template <class S, int D>
 void expect_sums_of_single_numbers(Sites sites, const AnyShape& shape, InstructionSet set, bool is_periodic,
@@ -152,7 +151,7 @@ void expect_sums_of_single_numbers(Sites sites, const AnyShape& shape, Instructi
   double mass = 0;
   for (const double m : cloud.particles.mass.values()) mass += m;
   const double terms = static_cast<double>(cloud.particles.size());
-  const double tolerance = (apart(D) + 2 * 5 * terms * round_off) * mass;  // five roundings of each term
+  const double tolerance = (apart<D> + 2 * 5 * terms * round_off) * mass;  // five roundings of each term
   for (std::size_t site = 0; site < masses.size(); ++site) {
     const double* sum = expected.data() + site * (fields.size() + 1);
     EXPECT_NEAR(masses[site], sum[0], tolerance);
@@ -189,7 +188,7 @@ void expect_changes_of_single_numbers(Sites sites, const AnyShape& shape, Instru
   const ReferenceCarried<S, D> reference{carried.lattice()};
   const double stencil = std::pow(static_cast<double>(S::support), D);
   // Each site gives and takes at most what a point has, which K terms make; then the last digit of the sum.
-  const double tolerance = 2 * stencil * apart(D) + 2 * (2 * stencil + 4 * num_classes) * round_off;
+  const double tolerance = 2 * stencil * apart<D> + 2 * (2 * stencil + 4 * num_classes) * round_off;
   for (Index p = 0; p < cloud.particles.size(); ++p) {
     const auto expected = reference.changed(cloud.particles, old, p, before, after, map);
     for (std::size_t k = 0; k < K; ++k) {

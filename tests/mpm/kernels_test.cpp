@@ -18,42 +18,64 @@ namespace scree::mpm {
 namespace {
 
 constexpr Threads one_thread{1};
-constexpr Index num_cells = 6;   // along each axis
 constexpr double spacing = 0.1;  // [m]
 constexpr double dt = 1e-3;      // [s]
+template <int D>
+constexpr Index num_cells = block_edge<D> + 3;  // along each axis: more than one block of them
 
-/// Points with all they have drawn at random, in a box of open ends, as far from them as a stencil reaches.
+/// Points with all they have drawn at random that have moved since they were sorted, as far as they may; of
+/// open ends as far away as a stencil reaches.
 template <int D, int V>
-Particles<D, V> any_cloud() {
-  auto particles = scattered<D, V>(cube<D>(num_cells, spacing, false), 200, 1.5 * spacing);
-  fill_at_random(particles.velocity, 1);
-  fill_at_random(particles.velocity_gradient, 1 / spacing);
-  fill_at_random(particles.stress, 1e4);
-  return particles;
-}
+struct Cloud {
+  Cloud(const Transfer<D, V>& transfer, bool is_periodic)
+      : grid{cube<D>(num_cells<D>, spacing, is_periodic)} {
+    const double low = is_periodic ? 0 : 1.5 * spacing;
+    const double high = num_cells<D> * spacing - low;
+    particles = scattered<D, V>(grid, 200, low);
+    fill_at_random(particles.velocity, 1);
+    fill_at_random(particles.velocity_gradient, 1 / spacing);
+    fill_at_random(particles.stress, 1e4);
+    blocks = cell_sort(particles, grid, transfer.stencil_shift(), one_thread, transfer.sort_edge());
+    std::mt19937 random{29};
+    std::uniform_real_distribution<double> draw{-1, 1};
+    for (double& x : particles.position.values()) {
+      x += draw(random) * block_skin<D> * 0.999 * spacing;
+      if (!is_periodic) x = std::clamp(x, low, high);
+    }
+  }
+
+  CartesianGrid<D> grid;
+  Particles<D, V> particles;
+  ParticleBlocks<D> blocks;
+};
 
 /// How far two ways of rounding can be apart, relative to the largest weights times the largest values, for a
-/// sum of `num_terms`. A coordinate of up to num_cells is rounded three times, and no weight changes by more
-/// than 9 per spacing (the affine one, 4 N (i - xi)); weights of up to four take ten roundings each. A
-/// product of weights has D of them, each way; every term of a sum has five roundings more.
-constexpr double apart(int dimension, double num_terms) {
-  return 2 * round_off * (dimension * (9.0 * 3 * num_cells + 4 * 10) + 5 * num_terms);
+/// sum of `num_terms`. A coordinate of up to num_cells and the skin is rounded three times, and no weight
+/// changes by more than 9 per spacing (the affine one, 4 N (i - xi)); weights of up to four take ten
+/// roundings each. A product of weights has D of them, each way; every term of a sum has five roundings more.
+template <int D>
+constexpr double apart(double num_terms) {
+  constexpr double coordinate = num_cells<D> + block_skin<D>;
+  return 2 * round_off * (D * (9.0 * 3 * coordinate + 4 * 10) + 5 * num_terms);
 }
 
 template <class Dimension>
 class EveryKernel : public ::testing::Test {
  protected:
-  /// Calls test(scheme, set, V) for every scheme, instruction set of this machine and number of velocities.
+  /// Calls test(scheme, set, is periodic, V) for every scheme, instruction set of this machine, mesh and
+  /// number of velocities.
   template <class Test>
   static void for_each_kernel(Test&& test) {
     constexpr int D = Dimension::value;
     for (const Scheme& scheme : every_scheme()) {
       SCOPED_TRACE(scheme.name());
       for (const InstructionSet set : instruction_sets()) {
-        SCOPED_TRACE(name_of(set));
-        test(scheme, set, Dimension{});
-        if constexpr (D < 3) test(scheme, set, std::integral_constant<int, D + 1>{});
-        if constexpr (D < 2) test(scheme, set, std::integral_constant<int, D + 2>{});
+        for (const bool is_periodic : {false, true}) {
+          SCOPED_TRACE(std::string{name_of(set)} + (is_periodic ? ", periodic" : ""));
+          test(scheme, set, is_periodic, Dimension{});
+          if constexpr (D < 3) test(scheme, set, is_periodic, std::integral_constant<int, D + 1>{});
+          if constexpr (D < 2) test(scheme, set, is_periodic, std::integral_constant<int, D + 2>{});
+        }
       }
     }
   }
@@ -62,12 +84,11 @@ TYPED_TEST_SUITE(EveryKernel, Dimensions);
 
 TYPED_TEST(EveryKernel, GivesTheNodesWhatSingleNumbersGive) {
   constexpr int D = TypeParam::value;
-  this->for_each_kernel([](const Scheme& scheme, InstructionSet set, auto velocities) {
+  this->for_each_kernel([](const Scheme& scheme, InstructionSet set, bool is_periodic, auto velocities) {
     constexpr int V = decltype(velocities)::value;
-    const auto grid = cube<D>(num_cells, spacing, false);
-    auto particles = any_cloud<D, V>();
     const auto transfer = make_transfer<D, V>(scheme.shape, scheme.rule, set);
-    const auto blocks = cell_sort(particles, grid, transfer->stencil_shift(), one_thread);
+    Cloud<D, V> cloud{*transfer, is_periodic};
+    auto& [grid, particles, blocks] = cloud;
     Nodes<D> nodes{grid, transfer->record()};
     Nodes<D> expected{grid, transfer->record()};
 
@@ -82,7 +103,7 @@ TYPED_TEST(EveryKernel, GivesTheNodesWhatSingleNumbersGive) {
                             (scheme.has_increment() ? 0 : dt * force);
     for (Index n = 0; n < nodes.num_nodes(); ++n) {
       const auto expect_near = [&](int place, double scale) {
-        EXPECT_NEAR(nodes[n][place], expected[n][place], apart(D, terms) * scale);
+        EXPECT_NEAR(nodes[n][place], expected[n][place], apart<D>(terms) * scale);
       };
       expect_near(NodeRecord::mass, mass);
       for (int i = 0; i < V; ++i) {
@@ -95,12 +116,11 @@ TYPED_TEST(EveryKernel, GivesTheNodesWhatSingleNumbersGive) {
 
 TYPED_TEST(EveryKernel, GivesThePointsWhatSingleNumbersGive) {
   constexpr int D = TypeParam::value;
-  this->for_each_kernel([](const Scheme& scheme, InstructionSet set, auto velocities) {
+  this->for_each_kernel([](const Scheme& scheme, InstructionSet set, bool is_periodic, auto velocities) {
     constexpr int V = decltype(velocities)::value;
-    const auto grid = cube<D>(num_cells, spacing, false);
-    auto particles = any_cloud<D, V>();
     const auto transfer = make_transfer<D, V>(scheme.shape, scheme.rule, set);
-    const auto blocks = cell_sort(particles, grid, transfer->stencil_shift(), one_thread);
+    Cloud<D, V> cloud{*transfer, is_periodic};
+    auto& [grid, particles, blocks] = cloud;
     Nodes<D> nodes{grid, transfer->record()};
     std::mt19937 random{17};
     std::uniform_real_distribution<double> draw{-1, 1};
@@ -113,13 +133,14 @@ TYPED_TEST(EveryKernel, GivesThePointsWhatSingleNumbersGive) {
 
     const ReferenceTransfer<D, V> reference{grid, scheme};
     const double terms = std::pow(static_cast<double>(scheme.support()), D);
-    const double rounding = apart(D, terms) * terms;  // nodal velocities up to 1 m/s
+    const double rounding = apart<D>(terms) * terms;  // nodal velocities up to 1 m/s
+    const double of_position = 2 * round_off * largest(particles.position);
     for (Index p = 0; p < particles.size(); ++p) {
       const auto next = load(particles, p);
       const auto expected = reference.gather(before, p, nodes, dt);
       for (std::size_t i = 0; i < V; ++i) EXPECT_NEAR(next.velocity[i], expected.velocity[i], 3 * rounding);
       for (std::size_t j = 0; j < D; ++j) {
-        EXPECT_NEAR(next.position[j], expected.position[j], dt * rounding + round_off);
+        EXPECT_NEAR(next.position[j], expected.position[j], dt * rounding + of_position);
         for (std::size_t i = 0; i < V; ++i) {
           EXPECT_NEAR(next.velocity_gradient[j][i], expected.velocity_gradient[j][i], rounding * 2 / spacing);
         }
@@ -130,11 +151,10 @@ TYPED_TEST(EveryKernel, GivesThePointsWhatSingleNumbersGive) {
 }
 
 TEST(Kernels, TellTheFastestPointOfABlock) {
-  const auto grid = cube<2>(num_cells, spacing, false);
   for (const InstructionSet set : instruction_sets()) {
-    auto particles = any_cloud<2, 3>();
     const auto transfer = make_transfer<2, 3>(Quadratic{}, PicFlip{1}, set);
-    const auto blocks = cell_sort(particles, grid, transfer->stencil_shift(), one_thread);
+    Cloud<2, 3> cloud{*transfer, false};
+    auto& [grid, particles, blocks] = cloud;
     const Nodes<2> nodes{grid, transfer->record()};
 
     const BlockMotion motion = transfer->gather(particles, blocks.blocks[0], nodes, dt);
@@ -149,30 +169,62 @@ TEST(Kernels, TellTheFastestPointOfABlock) {
   }
 }
 
-TEST(Kernels, SeeTheOnePointOfAPackThatLeavesItsReachOrIsNowhere) {
-  const auto grid = cube<1>(200, spacing, false);
-  for (const InstructionSet set : instruction_sets()) {
-    for (Index place = 0; place < pack_size; ++place) {
-      Particles<1> particles;
-      particles.resize(pack_size);
-      for (Index p = 0; p < pack_size; ++p) {
-        particles.position.component(0)[p] = (p < place ? 100.75 : p == place ? 110.75 : 120.75) * spacing;
-        particles.mass.component(0)[p] = 1;
-        particles.density.component(0)[p] = 1000;
-      }
-      const auto transfer = make_transfer<1, 1>(Quadratic{}, Apic{}, set);
-      const auto blocks = cell_sort(particles, grid, transfer->stencil_shift(), one_thread);
-      ASSERT_EQ(blocks.blocks.size(), 1U);
-      Nodes<1> nodes{grid, transfer->record()};
-      for (const double speed : {0.0, -1.0, 1.0, std::numeric_limits<double>::quiet_NaN()}) {
-        for (Index node = 109; node <= 113; ++node) nodes[nodes.place(node, 0)][NodeRecord::momentum] = speed;
+/// A pack in one block, whose point number `place` is in the middle and the others are at its ends.
+template <int D>
+Particles<D> pack_about(Index place, Index first_cell) {
+  constexpr Index edge = block_edge<D>;
+  Particles<D> particles;
+  particles.resize(pack_size);
+  for (Index p = 0; p < pack_size; ++p) {
+    const Index cell = p < place ? 0 : p == place ? edge / 2 : edge - 1;
+    for (int axis = 0; axis < D; ++axis) {
+      const Index along = axis == 0 ? cell : edge / 2;
+      particles.position.component(axis)[p] = (static_cast<double>(first_cell + along) + 0.75) * spacing;
+    }
+    particles.mass.component(0)[p] = 1;
+    particles.density.component(0)[p] = 1000;
+  }
+  return particles;
+}
+
+/// The nodes of that point alone move, and take it along, in a step of 1 s.
+template <int D>
+void expect_that_one_point_needs_a_sort(InstructionSet set) {
+  constexpr Index edge = block_edge<D>;
+  constexpr Index first_cell = 2 * edge - 1;  // of the third block along each axis
+  constexpr double to_low =
+      edge / 2 + 0.25 + block_skin<D>;  // from the point to where its reach ends [cells]
+  constexpr double to_high = edge - edge / 2 - 0.25 + block_skin<D>;
+  constexpr double lost = std::numeric_limits<double>::quiet_NaN();
+  const auto grid = cube<D>(4 * edge, spacing, false);
+  const auto transfer = make_transfer<D, D>(Quadratic{}, Apic{}, set);
+  for (Index place = 0; place < pack_size; ++place) {
+    auto particles = pack_about<D>(place, first_cell);
+    const auto blocks = cell_sort(particles, grid, transfer->stencil_shift(), one_thread);
+    ASSERT_EQ(blocks.blocks.size(), 1U);
+    for (int axis = 0; axis < D; ++axis) {
+      for (const double cells : {0.0, -to_low + 0.1, -to_low - 0.1, to_high - 0.1, to_high + 0.1, lost}) {
+        Nodes<D> nodes{grid, transfer->record()};
+        for (Index n = 0; n < nodes.num_nodes(); ++n) {
+          const Index along = nodes.first(0) + n % nodes.count(0) - first_cell - edge / 2;
+          if (0 <= along && along < 3) nodes[n][NodeRecord::momentum + axis] = cells * spacing;
+        }
         auto moved = particles;
 
-        const BlockMotion motion = transfer->gather(moved, blocks.blocks[0], nodes, block_edge<1> * spacing);
+        const BlockMotion motion = transfer->gather(moved, blocks.blocks[0], nodes, 1);
 
-        EXPECT_EQ(motion.needs_sort, speed != 0) << name_of(set) << ", " << place << ", " << speed;
+        const bool stays = -to_low <= cells && cells < to_high;
+        EXPECT_EQ(motion.needs_sort, !stays)
+            << name_of(set) << ", " << place << ", " << cells << " along axis " << axis << " of " << D;
       }
     }
+  }
+}
+
+TEST(Kernels, SeeTheOnePointOfAPackThatLeavesItsReachOrIsNowhere) {
+  for (const InstructionSet set : instruction_sets()) {
+    expect_that_one_point_needs_a_sort<1>(set);
+    expect_that_one_point_needs_a_sort<2>(set);
   }
 }
 
