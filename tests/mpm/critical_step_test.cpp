@@ -16,7 +16,6 @@
 #include <random>
 #include <sstream>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -264,36 +263,6 @@ TEST(LayerOnWall, BeginsToGrowAlongItByTheMeanOfSquaredWeights) {  // Eq. (M174)
     }
   }
 }
-
-/// A fluid whose modulus and viscosity are at each point as many times those of the law.
-struct Patchwork {
-  static constexpr std::string_view name = "patchwork";
-  template <class Real>
-  struct Input {
-    Real share;  // [-]
-  };
-  static constexpr std::array<InputColumn, 1> inputs{{{"share", "-", 1}}};
-  template <class Real>
-  struct State {};
-  static constexpr std::array<StateColumn, 0> states{};
-
-  Fluid fluid;
-
-  template <class Real>
-  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
-                                                   const Input<Real>& input, const State<Real>& /*old*/,
-                                                   Real dt) const noexcept {
-    return {input.share * fluid.update(deformation, Fluid::Input<Real>{}, Fluid::State<Real>{}, dt).stress,
-            {}};
-  }
-  [[nodiscard]] Stiffness<double> stiffness(const Deformation<double>& /*deformation*/,
-                                            const Input<double>& input,
-                                            const State<double>& /*state*/) const noexcept {
-    return {std::sqrt(input.share * fluid.bulk_modulus / fluid.reference_density),
-            input.share * fluid.viscosity};
-  }
-};
-static_assert(ConstitutiveLaw<Patchwork>);
 
 /// A bar whose sum (M173) differs from point to point.
 class PatchyBar {
