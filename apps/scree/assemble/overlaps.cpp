@@ -17,6 +17,10 @@ namespace scree::app {
 
 namespace {
 
+/// Of a spacing: places closer than this are one. It exceeds the round-off of a distance, some 1e-16 of the
+/// coordinates, where these are below some 1e9 spacings, and is far below what material feels.
+constexpr double same_place = 1e-6;
+
 /// What is solid, as it is at the start.
 struct Solid {
   std::string name;
@@ -44,7 +48,7 @@ template <int D>
 template <int D>
 void require_apart(const Solid& a, const Solid& b, const CartesianGrid<D>& grid) {
   if (!a.is_bounded && !b.is_bounded) return;
-  double deepest = 1e-6 * grid.spacing().minCoeff();  // bodies that touch overlap by round-off
+  double deepest = same_place * grid.spacing().minCoeff();  // bodies that touch overlap by round-off
   std::optional<std::size_t> worst;
   for (std::size_t n = 0; n < a.distances.size(); ++n) {
     const double depth = std::min(-a.distances[n], -b.distances[n]);
@@ -71,12 +75,15 @@ void require_apart(const Solid& a, const Solid& b, const CartesianGrid<D>& grid)
       any_shape);
 }
 
+[[nodiscard]] bool lets_slip(const WallScene& wall) noexcept {
+  const auto* plain = std::get_if<mpm::AnyWall>(&wall);
+  return plain != nullptr && std::holds_alternative<mpm::Slip>(*plain);
+}
+
 /// Up to which height over a wall material feels it [spacings]; 0 of none.
 [[nodiscard]] double felt_height(const WallScene& wall, const mpm::AnyShape& shape) noexcept {
   if (std::holds_alternative<OpenEnd>(wall)) return 0;
-  const auto* plain = std::get_if<mpm::AnyWall>(&wall);
-  const bool slips = plain != nullptr && std::holds_alternative<mpm::Slip>(*plain);
-  return reach_of(shape) - (slips ? 1 : 0);
+  return reach_of(shape) - (lets_slip(wall) ? 1 : 0);
 }
 
 }  // namespace
@@ -104,8 +111,9 @@ std::string wall_under_ground_warning(const Scene& scene, const CartesianGrid<D>
   const int up = normal_component(D);
   const auto axis = static_cast<std::size_t>(up);
   if (!ground || scene.axes[axis].is_periodic) return {};
-  const double felt = felt_height(scene.axes[axis].low, scene.shape) * grid.spacing()[up];
-  const double rounding = 1e-6 * grid.spacing()[up];  // as of ground through the nodes of the wall
+  const WallScene& wall = scene.axes[axis].low;
+  const double felt = felt_height(wall, scene.shape) * grid.spacing()[up];
+  const double rounding = same_place * grid.spacing()[up];  // as of ground through the nodes of the wall
   Lattice<D> nodes = grid.nodes();
   nodes.count[axis] = 1;
   double lowest = felt - rounding;
@@ -119,12 +127,13 @@ std::string wall_under_ground_warning(const Scene& scene, const CartesianGrid<D>
     place = x;
   }
   if (!place) return {};
+  const char* effect =
+      lets_slip(wall) ? "bears part of its load on it without friction" : "may be held or rubbed by it, too";
   return fmt::format(
       "[terrain] lies {:.4g} m above [boundaries] {}_low at ({:.6g}) m, and what lies less than {:.4g} m "
-      "above "
-      "this wall is held by it, too, and presses less on the ground: make the end \"open\", which ground "
-      "closes, or the ground higher",
-      std::max(lowest, 0.0), axis_names(D)[axis], fmt::join(place->begin(), place->end(), ", "), felt);
+      "above this wall {}: make the end \"open\", which ground closes, or the ground higher",
+      std::max(lowest, 0.0), axis_names(D)[axis], fmt::join(place->begin(), place->end(), ", "), felt,
+      effect);
 }
 
 template void require_apart(const Scene&, const CartesianGrid<2>&, const mpm::AnySurface<2>&);

@@ -18,8 +18,8 @@ template <int D>
 void require_apart(const Scene& scene, const CartesianGrid<D>& grid, const mpm::AnySurface<D>& ground);
 
 /// What to say of ground that lies so close above the low end of the axis of gravity that the wall there
-/// holds what lies on the ground, too; else nothing. A wall that lets slip does so where shape functions of
-/// points reach past it, another where they reach it. Looks at the nodes of that end.
+/// acts on what lies on the ground, too; else nothing. A wall that lets slip bears load where shape functions
+/// of points reach past it, another may hold or rub where they reach it. Looks at the nodes of that end.
 /// @param ground of the scene; none: there is none
 template <int D>
 [[nodiscard]] std::string wall_under_ground_warning(const Scene& scene, const CartesianGrid<D>& grid,
