@@ -444,39 +444,6 @@ TEST(ReadNodes, OfAWallAreGivenToByTheBlocksBesideIt) {
   for (const Index n : state.read.nodes()) EXPECT_EQ(n / state.nodes.stride(1), 1);  // past the images
 }
 
-/// One that moves is looked at anew in each step, one that stands still when points are sorted.
-TEST(ReadNodes, OfABodyAreLookedAtOnceAStep) {
-  const auto looks_in_a_step = [](bool moves) {
-    const auto grid = cube<2>(8, 0.1, false);
-    auto particles = filled<2>(grid, 2);
-    rub(particles, [](double) { return 0.3; });
-    auto stages = stages_of<2, 2>(particles, Linear{}, Apic{}, {1e5, 1000, 0});
-    stages.node_means = std::make_unique<NodeMeans<2, 2>>(Linear{});
-    CarriedInput<Rubs> carried;
-    carried.read(0, stages.node_means->add(particles, "friction", Rubs::inputs[0], Rubs::name));
-    const BallSurface<2> ball{Vector<2>::Constant(0.3), 0.22, BallSurface<2>::Material::outside};
-    Index looks = 0;
-    RigidMotion<2> motion;
-    if (moves) motion.place = [](double time) { return Vector<2>{1e-3 * time, 0}; };
-    stages.boundaries.push_back(make_rigid_body<2, Rubs>(
-        Contact<Rubs>{},
-        [&](const Vector<2>& x) {
-          ++looks;
-          return ball(x);
-        },
-        motion, 0, {0}, Symmetry::plane, carried));
-    auto state = start(std::move(particles), grid, stages, one_thread);
-    looks = 0;
-    step(state, stages, 1e-6, one_thread);  // too short for any point to leave its cell
-    return looks;
-  };
-  const Nodes<2> nodes{cube<2>(8, 0.1, false), {2, false}};
-
-  EXPECT_GT(looks_in_a_step(true), 0);
-  EXPECT_LE(looks_in_a_step(true), nodes.num_nodes());
-  EXPECT_EQ(looks_in_a_step(false), 0);
-}
-
 TEST(CarriedFriction, IsRefusedWithoutTheMeansThatItReads) {
   TwoBlocks blocks{every_base()[0], 0.5};
   const std::string message =

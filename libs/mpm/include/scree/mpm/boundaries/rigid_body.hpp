@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace scree::mpm {
 
@@ -34,21 +33,16 @@ class RigidBody final : public Boundary<D> {
 
   [[nodiscard]] Index num_means() const noexcept override { return carried_.num_means(); }
 
-  /// Keeps what it sees of these nodes for hold(), until they are marked anew: every step if the body moves.
   void mark_read(const Nodes<D>& nodes, std::span<std::uint8_t> is_read) const noexcept override {
     const Pose<D> now = pose_at(motion_, time_);
-    held_.clear();
     for (Index batch = 0; batch < nodes.num_batches(); ++batch) {
       for (const NodeRun& run : nodes.batch(batch)) {
         for (Index n = run.begin; n < run.end; ++n) {
-          const Seen seen = seen_from(nodes, now, n);
-          if (!seen.is_held) continue;
-          is_read[static_cast<std::size_t>(n)] = 1;
-          held_.push_back(seen);
+          if (seen_from(nodes, now, node_position(nodes, n)).is_held)
+            is_read[static_cast<std::size_t>(n)] = 1;
         }
       }
     }
-    is_marked_ = true;
   }
 
   [[nodiscard]] bool reads_elsewhere() const noexcept override { return motion_.place || motion_.angle; }
@@ -56,57 +50,43 @@ class RigidBody final : public Boundary<D> {
   void fold(Nodes<D>& /*nodes*/, const double* /*gravity*/, double /*dt*/) const noexcept override {}
 
   void hold(Nodes<D>& nodes, double dt) const noexcept override {
+    const NodeRecord layout = nodes.record();
     const Pose<D> now = pose_at(motion_, time_);
     const Pose<D> next = pose_at(motion_, time_ + dt);
-    const auto has_mass = [&](Index n) { return nodes[n][NodeRecord::mass] > 0; };
-    if (is_marked_) {
-      for (const Seen& seen : held_) {
-        if (has_mass(seen.node)) hold(nodes, seen, now, next, dt);
-      }
-      return;
-    }
+    const double volume = nodes.grid().spacing().prod();
     for (Index n = 0; n < nodes.num_nodes(); ++n) {
-      if (!has_mass(n)) continue;
-      const Seen seen = seen_from(nodes, now, n);
-      if (seen.is_held) hold(nodes, seen, now, next, dt);
+      double* node = nodes[n];
+      if (!(node[NodeRecord::mass] > 0)) continue;
+      const Vector<D> x = node_position(nodes, n);
+      const Seen seen = seen_from(nodes, now, x);
+      if (!seen.is_held) continue;
+      const double depth = depth_at(symmetry_, nodes.grid(), Vector<D>{x - seen.distance * seen.normal});
+      const double share = std::max(depth * (1 - std::abs(seen.distance) / seen.reach), least_area_share);
+      const double mobility = dt * share * volume / seen.reach / node[NodeRecord::mass];
+      const Vector<3> wall = embedded((next.in_space(now.in_body(x)) - x) / dt);
+      change_velocity(layout, node, [&](const Vector<3>& velocity) -> Vector<3> {
+        return wall + contact_.left(velocity - wall, embedded(seen.normal), mobility,
+                                    carried_.at(input_, nodes.means(n)));
+      });
     }
   }
 
   void reflect(Nodes<D>& /*nodes*/) const noexcept override {}
-  void advance(double dt) noexcept override {
-    time_ += dt;
-    is_marked_ = is_marked_ && !reads_elsewhere();
-  }
+  void advance(double dt) noexcept override { time_ += dt; }
 
  private:
   /// The body as seen from a node.
   struct Seen {
-    Index node;
     double distance;   ///< [m]
     Vector<D> normal;  ///< in space
     double reach;      ///< of the node's hat function along the normal [m]
     bool is_held;      ///< whether the node feels its pressure  @see Eq. (M61)
   };
-  [[nodiscard]] Seen seen_from(const Nodes<D>& nodes, const Pose<D>& now, Index node) const noexcept {
-    const FromSurface<D> seen = shape_(now.in_body(node_position(nodes, node)));
+  [[nodiscard]] Seen seen_from(const Nodes<D>& nodes, const Pose<D>& now, const Vector<D>& x) const noexcept {
+    const FromSurface<D> seen = shape_(now.in_body(x));
     const Vector<D> normal = now.turn * seen.normal;
     const double reach = normal.cwiseAbs().dot(nodes.grid().spacing());
-    return {node, seen.distance, normal, reach, seen.distance < reach};
-  }
-
-  void hold(Nodes<D>& nodes, const Seen& seen, const Pose<D>& now, const Pose<D>& next,
-            double dt) const noexcept {
-    double* node = nodes[seen.node];
-    const Vector<D> x = node_position(nodes, seen.node);
-    const double depth = depth_at(symmetry_, nodes.grid(), Vector<D>{x - seen.distance * seen.normal});
-    const double share = std::max(depth * (1 - std::abs(seen.distance) / seen.reach), least_area_share);
-    const double volume = nodes.grid().spacing().prod();
-    const double mobility = dt * share * volume / seen.reach / node[NodeRecord::mass];
-    const Vector<3> wall = embedded((next.in_space(now.in_body(x)) - x) / dt);
-    change_velocity(nodes.record(), node, [&](const Vector<3>& velocity) -> Vector<3> {
-      return wall + contact_.left(velocity - wall, embedded(seen.normal), mobility,
-                                  carried_.at(input_, nodes.means(seen.node)));
-    });
+    return {seen.distance, normal, reach, seen.distance < reach};
   }
 
   [[nodiscard]] static Vector<3> embedded(const Vector<D>& v) noexcept {
@@ -122,8 +102,6 @@ class RigidBody final : public Boundary<D> {
   RigidMotion<D> motion_;
   double time_;
   Symmetry symmetry_;
-  mutable std::vector<Seen> held_;  // the nodes marked as read
-  mutable bool is_marked_ = false;  // as the body now is
 };
 
 /// @param input what the law reads, but for what is `carried` by the points there
