@@ -177,9 +177,10 @@ TEST(StableRun, IsNotStoppedForAFewPointsThatAreFast) {
   EXPECT_EQ(message_when<RunError>([&] { run.require_stable(); }), "no error");
 }
 
-/// Of means over cells a run bears more under smooth shapes, and one of both means on hat functions as much:
-/// these alone are looked at.  Eq. (M199)
-TEST(StableRun, IsNotStoppedUnderMeansByWhatDoesNotBindThem) {
+/// What a run bears under means over cells is known on hat functions alone, with both of them: others are not
+/// looked at, not even those whose waves grow, as here, where the points of a cell lie in one place and means
+/// leave all as it is.  Eq. (M199)
+TEST(StableRun, IsNotLookedAtUnderMeansButWithBothOnHatFunctions) {
   const std::string volume = "\naveraged_volume_change = true";
   const std::string pressure = "\naveraged_pressure = true";
   const auto message = [](const std::string& text, const std::string& means) {

@@ -34,8 +34,9 @@ template <int D, int V>
                             scene.xpic_order);
 }
 
-/// Whether waves grow beyond (M199) under the means over cells that a scene asks for: where all points of a
-/// cell see the same of a wave, as on hat functions, and the mean is taken of strain and stress alike.
+/// Whether waves are sure to grow beyond (M199) under the means over cells that a scene asks for: where all
+/// points of a cell see the same of a wave, as on hat functions, and the mean is taken of strain and stress
+/// alike. Elsewhere a run may bear more.
 [[nodiscard]] bool is_bound_under_means(const Scene& scene) noexcept {
   return !scene.averaging.is_on() || (std::holds_alternative<mpm::Linear>(scene.shape) &&
                                       scene.averaging.volume_change && scene.averaging.pressure);
