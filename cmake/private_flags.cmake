@@ -10,6 +10,6 @@ function(scree_private_flags target)
   endif()
   # GCC looks for memory to free only beyond half a GiB: a source takes some 5 % less time.
   if(PROJECT_IS_TOP_LEVEL AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-    target_compile_options(${target} BEFORE PRIVATE --param=ggc-min-heapsize=524288)
+    target_compile_options(${target} PRIVATE --param=ggc-min-heapsize=524288)
   endif()
 endfunction()

@@ -31,7 +31,7 @@ struct Case {
   int threads = 1;
   double share = 1;  ///< of the mesh that is filled, about: more is empty
   Base base = Base::none;
-  double cells_per_step = 0;  ///< that all points go along the first axis, which is periodic; 0: the swirl
+  double cells_per_step = 0;  ///< that all points go along the first axis of a periodic mesh; 0: the swirl
 };
 
 template <int D>

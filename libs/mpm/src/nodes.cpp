@@ -62,7 +62,7 @@ void Nodes<D>::use(std::span<const Indices<D>> corners, Index edge) {
   std::vector<NodeRun> pieces;
   for (const Indices<D>& corner : corners) append_box(*this, corner, edge, pieces);
   constexpr char in_use = 1;
-  std::string marks(static_cast<std::size_t>(num_nodes()), 0);
+  std::string marks(static_cast<std::size_t>(num_nodes()), 0);  // a string is searched fast
   for (const NodeRun& piece : pieces)
     std::fill_n(marks.begin() + piece.begin, piece.end - piece.begin, in_use);
   runs_.clear();

@@ -10,7 +10,7 @@ namespace scree::mpm {
 namespace {
 
 /// Whether a point of the block may be in the box. A block's points were in the cells from its first one to
-/// two beyond its last one when they were sorted, as far as a stencil may begin before a point, and have
+/// one beyond its last one when they were sorted, as far as a stencil may begin before a point, and have
 /// moved by its skin at most.
 template <int D>
 [[nodiscard]] bool may_reach(const ParticleBlock<D>& block, Index edge, const Outflow<D>& outflow,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "carried_kernels.hpp"
+#include "tile_part.hpp"
 #include "transpose.hpp"
 
 #include <scree/mpm/shapes/top_hat.hpp>
@@ -55,7 +56,7 @@ struct PackSites {
 
 template <int D, class ShapeType>
 inline void keep(const ShapeType& shape, const CarriedBlock<D>& block, Index p,
-                 PackSites<D, ShapeType::support>& kept) noexcept {
+                 PackSites<D, ShapeType::support>& kept, PartOfPacks<D, ShapeType::support>& part) noexcept {
   constexpr std::size_t S = ShapeType::support;
   Pack{1}.store(kept.weight[0]);
   Pack first{0};
@@ -70,7 +71,9 @@ inline void keep(const ShapeType& shape, const CarriedBlock<D>& block, Index p,
       for (std::size_t i = S; i-- > 0;) (product * weight[i]).store(kept.weight[n * S + i]);
     }
     count *= S;
-    first = first * static_cast<double>(SiteStencil<D, S>::edge) + (base - block.first[axis]);
+    const Pack place = base - block.first[axis];
+    part.widen(axis, place);
+    first = first * static_cast<double>(SiteStencil<D, S>::edge) + place;
   }
   kept.first = first;
 }
@@ -95,25 +98,17 @@ inline void for_each_alike(const Pack& first, Body&& body) noexcept {
   }
 }
 
-/// Calls body(place in the tile, number of the site) for the sites that are there.
+/// Calls body(place in the tile, number of the site) for the sites of a part of the tile that are there.
 template <int D, std::size_t S, class Body>
-inline void for_each_site(const CarriedBlock<D>& block, Body&& body) noexcept {
-  constexpr Index edge = SiteTile<D, S>::edge;
-  for (Index row = 0; row < SiteTile<D, S>::num_sites / edge; ++row) {
-    Index start = 0;
-    bool exists = true;
-    Index rest = row;
-    for (std::size_t axis = 1; axis < D; ++axis, rest /= edge) {
-      const Index part = block.site[axis][static_cast<std::size_t>(rest % edge)];
-      exists = exists && part >= 0;
-      start += part;
+inline void for_each_site(const CarriedBlock<D>& block, const TilePart<D>& part, Body&& body) noexcept {
+  Strides<D> stride{{1}};
+  for (int axis = 1; axis < D; ++axis) stride.axis[axis] = stride.axis[axis - 1] * SiteTile<D, S>::edge;
+  for_each_row<D - 1, D>(block.site, stride, part, 0, 0, [&](Index start, Index row) {
+    for (Index i = part.begin[0]; i < part.end[0]; ++i) {
+      const Index along = block.site[0][static_cast<std::size_t>(i)];
+      if (along >= 0) body(row + i, start + along);
     }
-    if (!exists) continue;
-    for (Index i = 0; i < edge; ++i) {
-      const Index part = block.site[0][static_cast<std::size_t>(i)];
-      if (part >= 0) body(row * edge + i, start + part);
-    }
-  }
+  });
 }
 
 /// Where the tile of a four begins in those of all, one after the other.
@@ -175,9 +170,10 @@ SCREE_KERNEL void to_sites(const AnyShape& any_shape, const CarriedBlock<D>& blo
   alignas(64) double tiles[static_cast<std::size_t>(tile_start<D, S>(SiteSums::most))];
   std::fill_n(tiles, tile_start<D, S>(sums.num_fours), 0.0);
   PackSites<D, S> sites;
+  PartOfPacks<D, S> part;
   alignas(64) double given[SiteSums::most][Pack::size][4];
   for (Index p = block.begin; p < block.end; p += Pack::size) {
-    keep(shape, block, p, sites);
+    keep(shape, block, p, sites, part);
     const Pack mass = Pack::load(block.mass + p);
     for (Index f = 0; f < sums.num_fours; ++f) keep_given(sums.fours[f], mass, p, given[f]);
     for_each_alike<(S > 1)>(sites.first, [&](const AlikeLanes& alike) {
@@ -186,7 +182,7 @@ SCREE_KERNEL void to_sites(const AnyShape& any_shape, const CarriedBlock<D>& blo
       }
     });
   }
-  for_each_site<D, S>(block, [&](Index place, Index site) {
+  for_each_site<D, S>(block, part.of_block(), [&](Index place, Index site) {
     for (Index f = 0; f < sums.num_fours; ++f) {
       add_to_sums(tiles + tile_start<D, S>(f) + 4 * place, sums.fours[f], site);
     }
@@ -327,10 +323,12 @@ SCREE_KERNEL void to_points(const AnyShape& any_shape, const CarriedBlock<D>& bl
   Index record_of[static_cast<std::size_t>(SiteTile<D, S>::num_sites)];
   std::fill_n(record_of, SiteTile<D, S>::num_sites, Index{0});  // where there is no site no weight is
   const Index record_size = Index{2} * change.num_classes;
-  for_each_site<D, S>(block, [&](Index place, Index site) { record_of[place] = site * record_size; });
+  for_each_site<D, S>(block, TilePart<D>::whole(SiteTile<D, S>::edge),
+                      [&](Index place, Index site) { record_of[place] = site * record_size; });
   AlikePoints<D, S> points;
+  PartOfPacks<D, S> part;  // not asked for
   for (points.p = block.begin; points.p < block.end; points.p += Pack::size) {
-    keep(shape, block, points.p, points.sites);
+    keep(shape, block, points.p, points.sites, part);
     change_pack(change, record_of, points);
     if (change.is_exchange) close_sums(change, points.p);
   }

@@ -35,13 +35,6 @@ struct BlockPlace {
 template <int D>
 inline constexpr std::size_t max_tile_edge = tile_edge_of<D>(block_edge<D, max_support>, max_support);
 
-/// Nodes of a tile, from `begin` up to but not `end` along each axis.
-template <int D>
-struct TilePart {
-  Components<Index, D> begin{};
-  Components<Index, D> end{};
-};
-
 /// The nodes of a tile in the mesh: where the record of node (i, j, k) begins, offset[0][i] + offset[1][j] +
 /// ..; an axis has no node where its offset is negative.
 template <int D, class Value>

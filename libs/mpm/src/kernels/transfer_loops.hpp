@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stencil_loops.hpp"
+#include "tile_part.hpp"
 #include "transfer_kernels.hpp"
 #include "transpose.hpp"
 
@@ -39,22 +40,6 @@ struct Tile {
   alignas(64) double values[static_cast<std::size_t>(num_values)];
 };
 
-/// Calls body(place in the mesh, place in the tile) for the rows along axis 0 of a part of a tile.
-template <class TileType, int axis, int D, class Value, class Body>
-inline void for_each_row(const TileNodes<D, Value>& nodes, const TilePart<D>& part, Index place,
-                         Index in_tile, Body&& body) noexcept {
-  if constexpr (axis == 0) {
-    body(place, in_tile);
-  } else {
-    for (Index i = part.begin[axis]; i < part.end[axis]; ++i) {
-      const Index along = nodes.offset[axis][static_cast<std::size_t>(i)];
-      if (along < 0) continue;
-      for_each_row<TileType, axis - 1>(nodes, part, place + along,
-                                       in_tile + i * TileType::strides().axis[axis], body);
-    }
-  }
-}
-
 /// Neighbouring nodes of a row, by their doubles.
 struct NodesOfRow {
   Index place;    ///< of the first in the mesh, without the parts of the other axes
@@ -76,7 +61,7 @@ inline void for_each_run(const TileNodes<D, Value>& nodes, const TilePart<D>& pa
     if (!follows) runs[num_runs++] = {*place, i * record_size, 0};
     runs[num_runs - 1].count += record_size;
   }
-  for_each_row<TileType, D - 1>(nodes, part, 0, 0, [&](Index place, Index in_tile) {
+  for_each_row<D - 1, D>(nodes.offset, TileType::strides(), part, 0, 0, [&](Index place, Index in_tile) {
     for (int r = 0; r < num_runs; ++r) {
       body(nodes.values + place + runs[r].place, in_tile + runs[r].in_tile, runs[r].count);
     }
@@ -120,42 +105,6 @@ inline void store(const Point<Pack, D, V>& point, const PointColumns<D, V, doubl
   }
   point.density.store(columns.density + p);
 }
-
-/// The part of a tile that stencils have been in, lane by lane.
-template <int D, std::size_t S>
-class PartOfPacks {
- public:
-  void widen(const Stencil<Pack, D, S>& stencil, const BlockPlace<D>& place) noexcept {
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      const Pack base = stencil.base[axis] - place.first_base[axis];
-      before_[axis] = max(before_[axis], -base);
-      last_[axis] = max(last_[axis], base);
-    }
-  }
-  [[nodiscard]] TilePart<D> of_block() const noexcept {
-    TilePart<D> part;
-    for (std::size_t axis = 0; axis < D; ++axis) {
-      double before = before_[axis][0];
-      double last = last_[axis][0];
-      for (int lane = 1; lane < Pack::size; ++lane) {
-        before = before < before_[axis][lane] ? before_[axis][lane] : before;
-        last = last < last_[axis][lane] ? last_[axis][lane] : last;
-      }
-      part.begin[axis] = -static_cast<Index>(before);
-      part.end[axis] = static_cast<Index>(last) + static_cast<Index>(S);
-    }
-    return part;
-  }
-
- private:
-  [[nodiscard]] static Components<Pack, D> nowhere() noexcept {
-    Components<Pack, D> all;
-    for (Pack& one : all) one = Pack{-std::numeric_limits<double>::max()};
-    return all;
-  }
-  Components<Pack, D> before_ = nowhere();  ///< the first place, negative
-  Components<Pack, D> last_ = nowhere();
-};
 
 /// A pack's stencils in memory, so that a lane's weights are read one by one.
 template <int D, std::size_t S>
@@ -261,7 +210,9 @@ SCREE_KERNEL void scatter(const AnyShape& any_shape, const PointColumns<D, V, co
     const Point<Pack, D, V> point = load(columns, p);
     const auto stencil = stencil_at<Rule, D>(shape, point.position, place.origin, place.inverse_spacing);
     keep<TileType, Rule>(stencil, place, stencils);
-    part.widen(stencil, place);
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      part.widen(axis, stencil.base[axis] - place.first_base[axis]);
+    }
     keep<Rule>(give<Rule>(point, stencil, dt), given);
     for (int lane = 0; lane < Pack::size; ++lane) {
       scatter_lane<Rule>(stencils, given, lane, TileType::strides(), tile.values);
@@ -353,12 +304,11 @@ SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& an
   const auto rule = *std::get_if<Rule>(&any_rule);
   TileType tile;
   std::fill_n(tile.values, TileType::num_values, 0.0);
-  TilePart<D> all;
-  all.end.fill(TileType::edge);
-  for_each_run<TileType>(nodes, all, [&](const double* run, Index in_tile, Index count) {
-    double* to = tile.values + in_tile;
-    for (Index i = 0; i < count; ++i) to[i] = run[i];
-  });
+  for_each_run<TileType>(nodes, TilePart<D>::whole(TileType::edge),
+                         [&](const double* run, Index in_tile, Index count) {
+                           double* to = tile.values + in_tile;
+                           for (Index i = 0; i < count; ++i) to[i] = run[i];
+                         });
   PackStencils<D, ShapeType::support> stencils;
   PackTaken<D> taken;
   MotionOfPacks motion;
