@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 
 namespace scree::app::testing {
 namespace {
@@ -13,6 +14,10 @@ namespace {
 struct Refinement {
   double aspect;
   int cells;  // along the half width, on the finest mesh that minutes allow
+
+  friend std::ostream& operator<<(std::ostream& stream, const Refinement& refinement) {
+    return stream << "aspect ratio " << refinement.aspect << ", " << refinement.cells << " cells";
+  }
 };
 
 class ColumnCollapse : public ::testing::TestWithParam<Refinement> {};
