@@ -10,10 +10,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace scree::transport {
 namespace {
@@ -50,6 +52,40 @@ TEST(Solver, HasTheSameBitsForAnyNumberOfThreads) {
   box.is_periodic = {true, false, true};
   EXPECT_EQ(burgers(box, {1}), burgers(box, {2}));
   EXPECT_EQ(burgers(box, {1}), burgers(box, {64}));
+}
+
+TEST(Solver, HasTheSameBitsAndStepsWithAReconstructionChosenAtRunTime) {
+  using Any = AnyReconstruction<PiecewiseLinear<Minmod>, PiecewiseLinear<VanLeer>>;
+  const Lattice<2> lattice = test::cube<2>(70);  // two tiles of a row
+  const auto run = [&](const auto& reconstruction) {
+    auto u = pattern(lattice);
+    const Advance done = Solver{Cartesian<2>{lattice}, Burgers{}, reconstruction}.advance(u, 0.05);
+    return std::pair{u, done.substeps};
+  };
+
+  const auto with_minmod = run(PiecewiseLinear{Minmod{1.3}});  // which promises more than van Leer
+  const auto with_van_leer = run(PiecewiseLinear{VanLeer{}});
+
+  EXPECT_EQ(run(Any{PiecewiseLinear{Minmod{1.3}}}), with_minmod);
+  EXPECT_EQ(run(Any{PiecewiseLinear{VanLeer{}}}), with_van_leer);
+  EXPECT_NE(with_minmod.first, with_van_leer.first);
+  EXPECT_LT(with_minmod.second, with_van_leer.second);
+}
+
+TEST(AnyReconstruction, IsTheOneThatIsChosen) {
+  using State = std::array<double, 1>;
+  using Any = AnyReconstruction<PiecewiseLinear<VanLeer>, Cweno3>;
+  static_assert(Reconstruction<Any, 1>);
+  static_assert(needs_equal_cells<Any> && leaves_bounds<Any>);
+  static_assert(!needs_equal_cells<AnyReconstruction<PiecewiseConstant>>);
+  static_assert(!leaves_bounds<AnyReconstruction<PiecewiseConstant>>);
+
+  for (const State& above : {State{3}, State{7}}) {
+    EXPECT_EQ(Any{Cweno3{}}(State{0}, State{1}, above).high, Cweno3{}(State{0}, State{1}, above).high);
+    EXPECT_EQ(Any{PiecewiseLinear<VanLeer>{}}(State{0}, State{1}, above).low,
+              PiecewiseLinear{VanLeer{}}(State{0}, State{1}, above).low);
+  }
+  EXPECT_EQ(AnyReconstruction<PiecewiseConstant>{}.promised_cfl(), PiecewiseConstant{}.promised_cfl());
 }
 
 TEST(Solver, TreatsBothAxesAlike) {  // data mirrored in x = y stay so, to the order of the sums

@@ -3,6 +3,7 @@
 #include <scree/grainsize/segregation.hpp>
 #include <scree/grainsize/segregation_law.hpp>
 #include <scree/transport/grids/occupied_cells.hpp>
+#include <scree/transport/reconstructions/any_reconstruction.hpp>
 #include <scree/transport/reconstructions/piecewise_linear_common.hpp>
 #include <scree/transport/solver.hpp>
 
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace scree::grainsize::detail {
@@ -25,7 +27,7 @@ struct StepperParts {
   Threads threads;
 };
 
-/// Segregation with the number of classes and the limiter hidden: one virtual call per step.
+/// Segregation with the number of classes hidden: one virtual call per step.
 template <int D>
 class SegregationStepper {
  public:
@@ -46,15 +48,23 @@ class SegregationStepper {
                                             std::span<const double> fractions) = 0;
 };
 
+/// Slopes of fractions, with any of some limiters.
+template <class Limiter>
+struct CommonSlopes;
+template <class... Limiters>
+struct CommonSlopes<std::variant<Limiters...>> {
+  using type = transport::AnyReconstruction<transport::PiecewiseLinearCommon<Limiters>...>;
+};
+
 /// The stepper for up to N classes.
-template <int D, int N, class Limiter>
+template <int D, int N>
 class SegregationStepperOf final : public SegregationStepper<D> {
  public:
-  SegregationStepperOf(const StepperParts<D>& parts, const Limiter& limiter)
+  explicit SegregationStepperOf(const StepperParts<D>& parts)
       : num_classes_{parts.classes.size()},
         solver_{transport::OccupiedCells<D>{parts.lattice},
                 law_for(parts),
-                transport::PiecewiseLinearCommon<Limiter>{.limiter = limiter, .scale = largest_fraction},
+                slopes_for(parts.options.limiter),
                 parts.options.integrator,
                 {.cfl = parts.options.cfl, .threads = parts.threads}},
         padded_(num_classes_ == N ? 0 : static_cast<std::size_t>(parts.lattice.num_sites()) * N) {}
@@ -86,6 +96,8 @@ class SegregationStepperOf final : public SegregationStepper<D> {
   }
 
  private:
+  using Slopes = CommonSlopes<transport::AnyLimiter>::type;
+
   /// The scale below whose round-off a class is noise: the tail of one that is gone must not flatten the
   /// rest.
   static constexpr double largest_fraction = 1;
@@ -100,6 +112,14 @@ class SegregationStepperOf final : public SegregationStepper<D> {
     std::ranges::transform(parts.classes.diameters(), law.inverse_sizes.begin(),
                            [](double s) { return 1 / s; });
     return law;
+  }
+
+  static Slopes slopes_for(const transport::AnyLimiter& any) {
+    return std::visit(
+        []<class Limiter>(const Limiter& limiter) -> Slopes {
+          return {transport::PiecewiseLinearCommon<Limiter>{.limiter = limiter, .scale = largest_fraction}};
+        },
+        any);
   }
 
   static SegregationReport report(const transport::Advance& result) {
@@ -127,8 +147,7 @@ class SegregationStepperOf final : public SegregationStepper<D> {
   static Index offset(std::size_t site) { return static_cast<Index>(site * N); }
 
   std::size_t num_classes_;
-  transport::Solver<transport::OccupiedCells<D>, SegregationLaw<N>, transport::PiecewiseLinearCommon<Limiter>>
-      solver_;
+  transport::Solver<transport::OccupiedCells<D>, SegregationLaw<N>, Slopes> solver_;
   std::vector<double> padded_;  // num_sites x N; its classes beyond num_classes stay empty
 };
 

@@ -4,15 +4,15 @@ namespace scree::grainsize::detail {
 
 template <>
 std::unique_ptr<SegregationStepper<1>> make_stepper<1, 8>(const StepperParts<1>& parts) {
-  return make_stepper_of_choice<1, 8>(parts);
+  return std::make_unique<SegregationStepperOf<1, 8>>(parts);
 }
 template <>
 std::unique_ptr<SegregationStepper<2>> make_stepper<2, 8>(const StepperParts<2>& parts) {
-  return make_stepper_of_choice<2, 8>(parts);
+  return std::make_unique<SegregationStepperOf<2, 8>>(parts);
 }
 template <>
 std::unique_ptr<SegregationStepper<3>> make_stepper<3, 8>(const StepperParts<3>& parts) {
-  return make_stepper_of_choice<3, 8>(parts);
+  return std::make_unique<SegregationStepperOf<3, 8>>(parts);
 }
 
 }  // namespace scree::grainsize::detail

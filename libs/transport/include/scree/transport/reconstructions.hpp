@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/transport/limiters.hpp>
+#include <scree/transport/reconstructions/any_reconstruction.hpp>
 #include <scree/transport/reconstructions/cweno3.hpp>
 #include <scree/transport/reconstructions/piecewise_constant.hpp>
 #include <scree/transport/reconstructions/piecewise_linear.hpp>

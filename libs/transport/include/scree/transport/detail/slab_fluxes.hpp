@@ -4,6 +4,7 @@
 #include <scree/transport/detail/row_kernels.hpp>
 #include <scree/transport/detail/tiles.hpp>
 #include <scree/transport/discretisation.hpp>
+#include <scree/transport/reconstructions/any_reconstruction.hpp>
 
 #include <type_traits>
 #include <variant>
@@ -33,6 +34,13 @@ void reconstruct_row(const Sites& sites, const R& reconstruction, const StencilR
   in_packs(row.count, [&](Index begin, Index count) {
     reconstruct(sites, reconstruction, row.part(begin, count), low + begin, high + begin);
   });
+}
+
+template <class Sites, class... Rs, class Ratios>
+void reconstruct_row(const Sites& sites, const AnyReconstruction<Rs...>& reconstruction,
+                     const StencilRow<Ratios>& row, double* low, double* high) noexcept {
+  std::visit([&](const auto& chosen) { reconstruct_row(sites, chosen, row, low, high); },
+             reconstruction.choice);
 }
 
 template <class Problem, class Distance>
