@@ -200,6 +200,40 @@ TEST(StableRun, IsNotLookedAtUnderMeansButWithBothOnHatFunctions) {
   EXPECT_EQ(message(hats, volume + pressure), "the run has become unstable");
 }
 
+/// Of a column in one dimension, or of a layer in two.
+[[nodiscard]] std::string warning_of_means(const std::string& means, const std::string& shape,
+                                           bool is_column = false) {
+  std::string text = column_text("shape = \"" + shape + "\"\n" + means, 1);
+  if (!is_column) {
+    text = with(text, "dimensions = 1\nsize = [1.0]", "dimensions = 2\nsize = [1.0, 1.0]");
+    text = with(text, "low = [0.0]\nhigh = [0.75]", "low = [0.0, 0.0]\nhigh = [1.0, 0.75]");
+    text = with(text, "[boundaries]", "[boundaries]\nx = \"periodic\"");
+  }
+  return one_mean_warning(parse_scene(text, "scene.toml").scene);
+}
+
+/// On hat functions in one dimension a mean of what is equal is no change.
+TEST(OneMeanOverCells, IsWarnedOfUnlessItIsAnIdentity) {
+  const std::string volume = "averaged_volume_change = true\n";
+  const std::string pressure = "averaged_pressure = true\n";
+  const std::string effect =
+      ": where the points of a cell differ in stiffness, waves may grow at steps far below the critical one, "
+      "and the run is not stopped for them: give both, or none";
+
+  for (const std::string shape : {"linear", "quadratic"}) {
+    EXPECT_EQ(warning_of_means("", shape), "");
+    EXPECT_EQ(warning_of_means(volume + pressure, shape), "");
+    EXPECT_EQ(warning_of_means(volume, shape),
+              "[numerics] averaged_volume_change = true without averaged_pressure" + effect);
+    EXPECT_EQ(warning_of_means(pressure, shape),
+              "[numerics] averaged_pressure = true without averaged_volume_change" + effect);
+  }
+  for (const std::string& mean : {volume, pressure}) {
+    EXPECT_EQ(warning_of_means(mean, "linear", true), "");
+    EXPECT_NE(warning_of_means(mean, "quadratic", true), "");
+  }
+}
+
 TEST(StableRun, IsAnyWhereAllHaveLeft) {
   auto run = simulation_of(flip_of_threes);
   huddle(run);

@@ -292,5 +292,17 @@ TEST(MeansOverCells, BearTheCriticalSumOnHatFunctions) {  // Eqs. (M131), (M132)
   }
 }
 
+/// Points of a cell all see the same strain there and weigh stress alike, whatever their stiffness.
+TEST(MeansOverCells, AreNoChangeOnHatFunctionsInOneDimension) {  // Eqs. (M131), (M132), (M199)
+  constexpr int num_steps = 200;
+  const PatchyMesh<1> mesh{{.shape = Linear{}, .transfer = PicFlip{1}, .per_cell = 2, .offset = 0.1}};
+  const double sum = mesh.unstable_sum();
+
+  for (const Averaging& averaging : {Averaging{.volume_change = true}, Averaging{.pressure = true}}) {
+    EXPECT_LE(mesh.grown(0.97 * sum, num_steps, averaging), 2);
+    EXPECT_GE(mesh.grown(1.03 * sum, num_steps, averaging), std::pow(1.03, num_steps) / 10);
+  }
+}
+
 }  // namespace
 }  // namespace scree::mpm

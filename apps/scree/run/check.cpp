@@ -39,8 +39,9 @@ std::string cost_of(const Scene& scene) {
     if (!walls.empty()) lines += "warning: " + walls + "\n";
     return lines;
   });
-  const std::string warning = ill_posedness_warning(scene);
-  if (!warning.empty()) text += "warning: " + warning + "\n";
+  for (const std::string& warning : {ill_posedness_warning(scene), one_mean_warning(scene)}) {
+    if (!warning.empty()) text += "warning: " + warning + "\n";
+  }
   return text;
 }
 

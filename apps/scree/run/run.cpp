@@ -177,8 +177,9 @@ class RunOnDisk {
 }  // namespace
 
 Outcome run_scene(const ReadScene& scene, const RunOptions& options) {
-  const std::string warning = ill_posedness_warning(scene.scene);
-  if (!warning.empty()) fmt::print(stderr, "scree: warning: {}\n", warning);
+  for (const std::string& warning : {ill_posedness_warning(scene.scene), one_mean_warning(scene.scene)}) {
+    if (!warning.empty()) fmt::print(stderr, "scree: warning: {}\n", warning);
+  }
   return with_dimensions(scene.scene, [&](auto dimensions, auto components) {
     return RunOnDisk<dimensions(), components()>{scene, options}.run();
   });

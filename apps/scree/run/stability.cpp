@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -187,6 +188,17 @@ std::string instability(const Scene& scene, const mpm::State<D, V>& state,
       "[numerics] {} = {:g}: allows steps of {:.4g} s, and from {:.4g} s on, the critical one in the mean of "
       "all points, waves of sound and viscosity grow under {}: give at most {:.4g}",
       key, value, step.dt, critical, scheme_of(scene), shortened(value * safe / step.dt));
+}
+
+std::string one_mean_warning(const Scene& scene) {
+  const auto& [volume_change, pressure] = scene.averaging;
+  const bool is_identity = scene.mesh.dimensions == 1 && std::holds_alternative<mpm::Linear>(scene.shape);
+  if (volume_change == pressure || is_identity) return {};
+  constexpr std::array<std::string_view, 2> keys{"averaged_volume_change", "averaged_pressure"};
+  return fmt::format(
+      "[numerics] {} = true without {}: where the points of a cell differ in stiffness, waves may grow at "
+      "steps far below the critical one, and the run is not stopped for them: give both, or none",
+      keys[pressure ? 1 : 0], keys[pressure ? 0 : 1]);
 }
 
 std::string step_remedy(const Scene& scene, mpm::Limit limit) {

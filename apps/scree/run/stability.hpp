@@ -31,6 +31,12 @@ template <int D, int V>
 [[nodiscard]] std::string instability(const Scene& scene, const mpm::State<D, V>& state,
                                       const mpm::StressUpdate<D, V>& stress);
 
+/// What to say of a scene with one mean over cells and not the other: where points of a cell differ in
+/// stiffness, waves may grow far below the critical step, and instability() does not look for them. Nothing
+/// in one dimension on hat functions, whose points of a cell all see the same strain and weigh stress alike.
+/// @see Eqs. (M131), (M132)
+[[nodiscard]] std::string one_mean_warning(const Scene& scene);
+
 /// What to add to the message of a step that failed, unless a point has left the mesh and none may: the key
 /// of [numerics] that bounds steps. Empty if none does.
 /// @param limit what bounds them
