@@ -1,13 +1,10 @@
 #pragma once
 
-#include "scenes.hpp"
-#include "scree/run/simulation.hpp"
+#include "collapse.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 namespace scree::app::testing {
@@ -34,33 +31,16 @@ class Column {
   /// @param aspect ratio of the column  @param cells along its half width
   Column(double aspect, int cells) : Column(aspect, cells, chosen_grains(aspect)) {}
   /// @param acoustic share of the acoustic limit that a step takes
-  Column(double aspect, int cells, const ColumnGrains& grains, double acoustic = 0.5) {
-    const double height = aspect * half_width;
-    const double spacing = half_width / cells;
-    const auto rows = std::lround(aspect * cells) + 2;
-    const auto columns = std::lround((2 + 6 * aspect) * cells);
-    const double weight = 1500 * 9.81 * height;  // [Pa]
-    Simulation<2, 2> simulation{
-        scene_of(
-            "granular_column_collapse",
-            {fmt::format("mesh.size=[{}, {}]", static_cast<double>(columns) * spacing,
-                         static_cast<double>(rows) * spacing),
-             fmt::format("mesh.cells={}", rows), fmt::format("material.high=[{}, {}]", half_width, height),
-             "material.points_per_cell=2", fmt::format("grains.diameters=[{}]", grains.diameter),
-             fmt::format("rheology.grain_density={}", grains.density),
-             fmt::format("rheology.bulk_modulus={}", 100 * weight),
-             fmt::format("rheology.shear_modulus={}", 30 * weight),
-             fmt::format("numerics.acoustic={}", acoustic),
-             fmt::format("time.end={}", 4 * std::sqrt(2 * height / 9.81))}),
-        {1}};
-    advance_to_end(simulation);
-    const auto& particles = simulation.state.particles;
-    for (Index p = 0; p < particles.size(); ++p) {
-      const double mass = particles.mass.component(0)[p];
-      if (mass > 0) points_.push_back({particles.position.component(0)[p], mass});
-    }
-    std::ranges::sort(points_, {}, &Point::place);
-  }
+  Column(double aspect, int cells, const ColumnGrains& grains, double acoustic = 0.5)
+      : points_{
+            collapsed({.name = "granular_column_collapse",
+                       .width = half_width,
+                       .aspect = aspect,
+                       .cells = cells,
+                       .num_columns = std::lround((2 + 6 * aspect) * cells)},
+                      {"material.points_per_cell=2", fmt::format("grains.diameters=[{}]", grains.diameter),
+                       fmt::format("rheology.grain_density={}", grains.density),
+                       fmt::format("numerics.acoustic={}", acoustic)})} {}
 
   /// How far it has run out, over its half width: the foremost place behind which, over an eighth of that
   /// width, material is as deep as half a cell of \cite popinet2011, so that single points that skid ahead
@@ -71,7 +51,7 @@ class Column {
     double front = 0;
     double within = 0;
     auto last = points_.begin();
-    for (const Point& point : points_) {
+    for (const FallenPoint& point : points_) {
       within += point.mass;
       for (; last->place <= point.place - width; ++last) within -= last->mass;
       if (within >= 1500 * depth * width) front = point.place;
@@ -80,24 +60,10 @@ class Column {
   }
 
   /// The same, where 99.5 % of the mass lie behind.
-  [[nodiscard]] double runout_of_mass() const {
-    double total = 0;
-    for (const Point& point : points_) total += point.mass;
-    double behind = 0;
-    for (const Point& point : points_) {
-      behind += point.mass;
-      if (behind >= 0.995 * total) return point.place / half_width - 1;
-    }
-    return points_.back().place / half_width - 1;
-  }
+  [[nodiscard]] double runout_of_mass() const { return front_of_mass(points_) / half_width - 1; }
 
  private:
-  struct Point {
-    double place;  // [m], along the floor
-    double mass;   // [kg/m]
-  };
-
-  std::vector<Point> points_;
+  std::vector<FallenPoint> points_;
 };
 
 /// Of mu(I) in two dimensions with the parameters of the scene, \cite lagree2011.  Eq. (M198)
