@@ -1,14 +1,18 @@
-// Compiled without contraction of products and sums, so that packs and doubles can be compared bit by bit.
-
 #include "derivative.hpp"
-#include "packs.hpp"
 #include "points.hpp"
 #include "typed_lists.hpp"
+#include "wall_contacts.hpp"
 
 #include <scree/rheology/walls.hpp>
 
+#include <gtest/gtest.h>
+
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
+#include <string>
 #include <type_traits>
 
 namespace scree::rheology {
@@ -35,11 +39,6 @@ class EveryWallLaw : public ::testing::Test {
   }
 };
 TYPED_TEST_SUITE(EveryWallLaw, testing::Each<AnyWallLaw>, testing::EntryName);
-
-// From slow creep to a fast avalanche, and from a film of grains to a hundred metres of rock.
-constexpr std::array<double, 8> speeds{0, 1e-6, 1e-3, 0.013, 0.1, 1, 30, 200};             // [m/s]
-constexpr std::array<double, 6> pressures{0, 1, 30, 1e3, 1e5, 2e6};                        // [Pa]
-constexpr std::array<double, 6> mobilities{1e-12, 1e-8, 1e-6, 1.0 / 3e4, 1.0 / 300, 0.1};  // [m/s/Pa]
 
 /// Some 20 operations, on terms that are at most the speed or what friction takes from it.
 [[nodiscard]] double rounding(double speed, double loss) {
@@ -180,28 +179,6 @@ TYPED_TEST(EveryWallLaw, HasTheDerivativeThatItsDualNumbersCarry) {
     // The third derivative is of the order of the second power of 1/v here.
     EXPECT_NEAR(exact.value, after(v), rounding(v, 0));
     EXPECT_NEAR(exact.slope, difference, step * step + 20 * round_off / step) << v;
-  }
-}
-
-TYPED_TEST(EveryWallLaw, HasTheBitsOfDoubleInEachLaneOfAPack) {
-  using Pack = testing::Pack<4>;
-  for (std::size_t first = 0; first + 4 <= speeds.size(); ++first) {
-    Pack speed;
-    WallContact<Pack> contact;
-    for (std::size_t lane = 0; lane < 4; ++lane) {
-      speed[lane] = speeds[first + lane];
-      contact.pressure[lane] = pressures[(first + 2 * lane) % pressures.size()];
-      contact.mobility[lane] = mobilities[(first + lane) % mobilities.size()];
-    }
-
-    const Pack slowed = this->law.slowed(speed, contact, this->template input<Pack>());
-    const Pack traction = this->law.traction(contact.pressure, speed, this->template input<Pack>());
-
-    for (std::size_t lane = 0; lane < 4; ++lane) {
-      const WallContact<double> alone{contact.pressure[lane], contact.mobility[lane]};
-      EXPECT_EQ(slowed[lane], this->law.slowed(double{speed[lane]}, alone, this->input()));
-      EXPECT_EQ(traction[lane], this->traction(alone.pressure, speed[lane]));
-    }
   }
 }
 

@@ -1,16 +1,19 @@
-// Every law in packs of doubles: each lane has the bits of the same law in double. Compiled without
-// contraction of products and sums, which a compiler may do in one of the two and not in the other.
+// Every law in packs of doubles, walls' too: each lane has the bits of the same law in double. Compiled
+// without contraction of products and sums, which a compiler may do in one of the two and not in the other.
 
 #include "packs.hpp"
 
 #include "points.hpp"
 #include "typed_lists.hpp"
+#include "wall_contacts.hpp"
 
 #include <scree/rheology/laws.hpp>
 #include <scree/rheology/tensor_functions.hpp>
+#include <scree/rheology/walls.hpp>
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace scree::rheology {
@@ -61,6 +64,34 @@ TYPED_TEST(EveryLawInPacks, HasTheBitsOfDoubleInEachLane) {
   expect_lanes_like_points<testing::Pack<2>, TypeParam>();
   expect_lanes_like_points<testing::Pack<4>, TypeParam>();
   expect_lanes_like_points<testing::Pack<8>, TypeParam>();
+}
+
+template <class Law>
+class EveryWallLawInPacks : public ::testing::Test {};
+TYPED_TEST_SUITE(EveryWallLawInPacks, testing::Each<AnyWallLaw>, testing::EntryName);
+
+TYPED_TEST(EveryWallLawInPacks, HasTheBitsOfDoubleInEachLane) {
+  using Pack = testing::Pack<4>;
+  constexpr TypeParam law = typical<TypeParam>();
+  const auto input = typical_input<TypeParam, double>();
+  for (std::size_t first = 0; first + 4 <= speeds.size(); ++first) {
+    Pack speed;
+    WallContact<Pack> contact;
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      speed[lane] = speeds[first + lane];
+      contact.pressure[lane] = pressures[(first + 2 * lane) % pressures.size()];
+      contact.mobility[lane] = mobilities[(first + lane) % mobilities.size()];
+    }
+
+    const Pack slowed = law.slowed(speed, contact, typical_input<TypeParam, Pack>());
+    const Pack traction = law.traction(contact.pressure, speed, typical_input<TypeParam, Pack>());
+
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const WallContact<double> alone{contact.pressure[lane], contact.mobility[lane]};
+      EXPECT_EQ(slowed[lane], law.slowed(double{speed[lane]}, alone, input));
+      EXPECT_EQ(traction[lane], law.traction(alone.pressure, double{speed[lane]}, input));
+    }
+  }
 }
 
 /// Lanes inside the reach of the series beside lanes that are not.
