@@ -16,7 +16,7 @@ inline constexpr Index block_edge = D == 1         ? 32
 
 /// How far points may go from their block before all are sorted anew [cells]. A tile may be as long as two
 /// blocks, so that blocks of one colour share no node: in 3D there is no room for more. In 2D two cells halve
-/// the sorts of one, for 1 % of the time of a step.
+/// the sorts of one at no measurable cost: of a tile only the part that points reach goes to the nodes.
 template <int D>
 inline constexpr Index block_skin = D == 2 ? 2 : 1;
 
