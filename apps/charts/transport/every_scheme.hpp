@@ -160,9 +160,9 @@ template <class Grid, class Law>
                                                    const std::vector<Case<Grid, Law>>& places,
                                                    const Effort& effort) {
   std::vector<Record> records;
-  for_each_reconstruction<Case<Grid, Law>::N>([&]<class R>(const R& reconstruction,
-                                                           const std::string& limiter) {
-    const Record named{.problem = problem, .scheme = std::string{R::name}, .limiter = limiter, .n = n};
+  for_each_reconstruction<Case<Grid, Law>::N>([&](const auto& reconstruction, const std::string& scheme,
+                                                  const std::string& limiter) {
+    const Record named{.problem = problem, .scheme = scheme, .limiter = limiter, .n = n};
     std::ranges::copy(run_reconstruction(named, reconstruction, places, effort), std::back_inserter(records));
   });
   if constexpr (Grid::dimension == 1 && transport::PointLaw<Law, 1>) {

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <string>
+#include <type_traits>
 
 namespace scree::charts {
 
@@ -30,8 +31,11 @@ void for_each_variant(Visitor&& visit) {
 }
 
 namespace detail {
+/// A reconstruction with every limiter that it may have.
 template <class R>
 struct Reconstructions {
+  using Types = transport::TypeList<R>;
+
   template <class Visitor>
   static void visit_each(Visitor&& visit) {
     visit(R{}, std::string{});
@@ -40,6 +44,14 @@ struct Reconstructions {
 
 template <template <transport::Limiter> class R, transport::Limiter Any>
 struct Reconstructions<R<Any>> {
+  template <class List>
+  struct With;
+  template <class... Limiters>
+  struct With<transport::TypeList<Limiters...>> {
+    using type = transport::TypeList<R<Limiters>...>;
+  };
+  using Types = typename With<transport::LimiterList>::type;
+
   template <class Visitor>
   static void visit_each(Visitor&& visit) {
     transport::for_each_entry(transport::LimiterList{}, [&]<class L>() {
@@ -55,23 +67,59 @@ inline constexpr bool is_for_systems_only = false;
 template <transport::Limiter L>
 inline constexpr bool is_for_systems_only<transport::PiecewiseLinearCommon<L>> = true;
 
-/// Calls visit(reconstruction, label of its limiter) for every reconstruction of N components that the
-/// library lists, with every limiter.
+namespace detail {
+/// A list of types out of several.
+template <class... Lists>
+struct Joined;
+template <class... Entries>
+struct Joined<transport::TypeList<Entries...>> {
+  using type = transport::AnyReconstruction<Entries...>;
+};
+template <class... First, class... Second, class... Rest>
+struct Joined<transport::TypeList<First...>, transport::TypeList<Second...>, Rest...>
+    : Joined<transport::TypeList<First..., Second...>, Rest...> {};
+
+template <int N, class R>
+using Shown = std::conditional_t<(N > 1 || !is_for_systems_only<R>), typename Reconstructions<R>::Types,
+                                 transport::TypeList<>>;
+
+template <int N, class List>
+struct AnyOfComponents;
+template <int N, class... Rs>
+struct AnyOfComponents<N, transport::TypeList<Rs...>> : Joined<Shown<N, Rs>...> {};
+
+template <class Law, class List>
+struct AnyInPrimitives;
+template <class Law, class... Rs>
+struct AnyInPrimitives<Law, transport::TypeList<Rs...>> {
+  using type = transport::AnyReconstruction<transport::Admissible<transport::InPrimitives<Rs, Law>, Law>...>;
+};
+}  // namespace detail
+
+/// Calls visit(reconstruction, its name, label of its limiter) for every reconstruction of N components that
+/// the library lists, with every limiter. All are of one type: a solver is compiled once for them.
 template <int N, class Visitor>
 void for_each_reconstruction(Visitor&& visit) {
+  using Any = typename detail::AnyOfComponents<N, transport::ReconstructionList>::type;
   transport::for_each_entry(transport::ReconstructionList{}, [&]<class R>() {
-    if constexpr (N > 1 || !is_for_systems_only<R>) detail::Reconstructions<R>::visit_each(visit);
+    if constexpr (N > 1 || !is_for_systems_only<R>) {
+      detail::Reconstructions<R>::visit_each([&](const auto& reconstruction, const std::string& label) {
+        visit(Any{reconstruction}, std::string{R::name}, label);
+      });
+    }
   });
 }
 
 /// Calls visit(reconstruction, label of its limiter) for straight lines in the primitive variables of a law,
-/// kept admissible: what the library takes for such a law untold, here with every limiter.
+/// kept admissible: what the library takes for such a law untold, here with every limiter. All are of one
+/// type.
 template <class Law, class Visitor>
 void for_each_reconstruction_in_primitives(const Law& law, Visitor&& visit) {
-  detail::Reconstructions<transport::PiecewiseLinear<transport::Minmod>>::visit_each(
-      [&](const auto& linear, const std::string& label) {
-        visit(transport::Admissible{transport::InPrimitives{linear, law}, law}, label);
-      });
+  using Linear = detail::Reconstructions<transport::PiecewiseLinear<transport::Minmod>>;
+  using Any = typename detail::AnyInPrimitives<Law, typename Linear::Types>::type;
+  Linear::visit_each([&](const auto& linear, const std::string& label) {
+    visit(Any{transport::Admissible{transport::InPrimitives{linear, law}, law}}, label);
+  });
 }
 
 }  // namespace scree::charts
