@@ -23,19 +23,25 @@ constexpr double dt = 1e-3;      // [s]
 template <int D>
 constexpr Index num_cells = block_edge<D> + 3;  // along each axis: more than one block of them
 
-/// Points with all they have drawn at random that have moved since they were sorted, as far as they may; of
-/// open ends as far away as a stencil reaches.
+/// Where the points of a cloud are: anywhere in the mesh, and far from each other in a pack; or in a cube of
+/// 1.6 cells in its middle as they were sorted, so that a pack's stencils begin at one node or at neighbours.
+enum class Density { thin, dense };
+
+/// Points with all they have drawn at random; of a thin cloud they have moved since they were sorted, as far
+/// as they may, from open ends as far away as a stencil reaches.
 template <int D, int V>
 struct Cloud {
-  Cloud(const Transfer<D, V>& transfer, bool is_periodic)
+  Cloud(const Transfer<D, V>& transfer, bool is_periodic, Density density = Density::thin)
       : grid{cube<D>(num_cells<D>, spacing, is_periodic)} {
-    const double low = is_periodic ? 0 : 1.5 * spacing;
+    const bool is_dense = density == Density::dense;
+    const double low = is_dense ? (num_cells<D> / 2.0 - 0.8) * spacing : is_periodic ? 0 : 1.5 * spacing;
     const double high = num_cells<D> * spacing - low;
     particles = scattered<D, V>(grid, 200, low);
     fill_at_random(particles.velocity, 1);
     fill_at_random(particles.velocity_gradient, 1 / spacing);
     fill_at_random(particles.stress, 1e4);
     blocks = cell_sort(particles, grid, transfer.stencil_shift(), one_thread, transfer.sort_edge());
+    if (is_dense) return;
     std::mt19937 random{29};
     std::uniform_real_distribution<double> draw{-1, 1};
     for (double& x : particles.position.values()) {
@@ -119,33 +125,37 @@ TYPED_TEST(EveryKernel, GivesThePointsWhatSingleNumbersGive) {
   this->for_each_kernel([](const Scheme& scheme, InstructionSet set, bool is_periodic, auto velocities) {
     constexpr int V = decltype(velocities)::value;
     const auto transfer = make_transfer<D, V>(scheme.shape, scheme.rule, set);
-    Cloud<D, V> cloud{*transfer, is_periodic};
-    auto& [grid, particles, blocks] = cloud;
-    Nodes<D> nodes{grid, transfer->record()};
-    std::mt19937 random{17};
-    std::uniform_real_distribution<double> draw{-1, 1};
-    for (Index n = 0; n < nodes.num_nodes(); ++n) {
-      for (int i = 0; i < nodes.record().size(); ++i) nodes[n][i] = draw(random);
-    }
-    const auto before = particles;
-
-    for (const auto& block : blocks.blocks) (void)transfer->gather(particles, block, nodes, dt);
-
-    const ReferenceTransfer<D, V> reference{grid, scheme};
-    const double terms = std::pow(static_cast<double>(scheme.support()), D);
-    const double rounding = apart<D>(terms) * terms;  // nodal velocities up to 1 m/s
-    const double of_position = 2 * round_off * largest(particles.position);
-    for (Index p = 0; p < particles.size(); ++p) {
-      const auto next = load(particles, p);
-      const auto expected = reference.gather(before, p, nodes, dt);
-      for (std::size_t i = 0; i < V; ++i) EXPECT_NEAR(next.velocity[i], expected.velocity[i], 3 * rounding);
-      for (std::size_t j = 0; j < D; ++j) {
-        EXPECT_NEAR(next.position[j], expected.position[j], dt * rounding + of_position);
-        for (std::size_t i = 0; i < V; ++i) {
-          EXPECT_NEAR(next.velocity_gradient[j][i], expected.velocity_gradient[j][i], rounding * 2 / spacing);
-        }
+    for (const Density density : {Density::thin, Density::dense}) {
+      SCOPED_TRACE(density == Density::dense ? "dense" : "thin");
+      Cloud<D, V> cloud{*transfer, is_periodic, density};
+      auto& [grid, particles, blocks] = cloud;
+      Nodes<D> nodes{grid, transfer->record()};
+      std::mt19937 random{17};
+      std::uniform_real_distribution<double> draw{-1, 1};
+      for (Index n = 0; n < nodes.num_nodes(); ++n) {
+        for (int i = 0; i < nodes.record().size(); ++i) nodes[n][i] = draw(random);
       }
-      EXPECT_NEAR(next.density, expected.density, 2 * expected.density * dt * D * rounding * 2 / spacing);
+      const auto before = particles;
+
+      for (const auto& block : blocks.blocks) (void)transfer->gather(particles, block, nodes, dt);
+
+      const ReferenceTransfer<D, V> reference{grid, scheme};
+      const double terms = std::pow(static_cast<double>(scheme.support()), D);
+      const double rounding = apart<D>(terms) * terms;  // nodal velocities up to 1 m/s
+      const double of_position = 2 * round_off * largest(particles.position);
+      for (Index p = 0; p < particles.size(); ++p) {
+        const auto next = load(particles, p);
+        const auto expected = reference.gather(before, p, nodes, dt);
+        for (std::size_t i = 0; i < V; ++i) EXPECT_NEAR(next.velocity[i], expected.velocity[i], 3 * rounding);
+        for (std::size_t j = 0; j < D; ++j) {
+          EXPECT_NEAR(next.position[j], expected.position[j], dt * rounding + of_position);
+          for (std::size_t i = 0; i < V; ++i) {
+            EXPECT_NEAR(next.velocity_gradient[j][i], expected.velocity_gradient[j][i],
+                        rounding * 2 / spacing);
+          }
+        }
+        EXPECT_NEAR(next.density, expected.density, 2 * expected.density * dt * D * rounding * 2 / spacing);
+      }
     }
   });
 }

@@ -295,10 +295,12 @@ template <int D>
 inline void change_pack(const PointChange& change, const Index* record_of,
                         AlikePoints<D, 1>& points) noexcept {
   const auto column = [&](int k) { return change.fractions + k * change.stride + points.p; };
+  double places[Pack::size];
+  points.sites.first.store(places);
   const auto of_sites = [&](const double* values) {
     double lanes[Pack::size];
     for (int lane = 0; lane < Pack::size; ++lane) {
-      lanes[lane] = values[record_of[static_cast<Index>(points.sites.first[lane])]];
+      lanes[lane] = values[record_of[static_cast<Index>(places[lane])]];
     }
     return Pack::load(lanes);
   };

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#if defined(__AVX__)
+#include <immintrin.h>
+#endif
 
 /// Stands before a kernel: all that it calls becomes part of it, or the compiler would inline the less the
 /// more kernels there are. Not under the sanitizers, as it would take them four times as long to compile.
@@ -56,6 +59,9 @@ class Pack {
   friend Pack max(const Pack& a, const Pack& b) noexcept {
     return Pack{a.lanes_ < b.lanes_ ? b.lanes_ : a.lanes_};
   }
+  friend Pack min(const Pack& a, const Pack& b) noexcept {
+    return Pack{a.lanes_ < b.lanes_ ? a.lanes_ : b.lanes_};
+  }
   /// `a` where the mask is set, else `b`.
   friend Pack select(const Mask& mask, const Pack& a, const Pack& b) noexcept {
     return Pack{mask ? a.lanes_ : b.lanes_};
@@ -64,9 +70,36 @@ class Pack {
 
   /// Of numbers that an int can hold: a cell, not a place.
   friend Pack floor(const Pack& a) noexcept {
+#if defined(__AVX512F__)
+    return Pack{_mm512_floor_pd(a.lanes_)};
+#elif defined(__AVX__)
+    return Pack{_mm256_floor_pd(a.lanes_)};
+#else
     using Ints [[gnu::vector_size(size * sizeof(int))]] = int;
     const Register whole = __builtin_convertvector(__builtin_convertvector(a.lanes_, Ints), Register);
     return Pack{whole > a.lanes_ ? whole - 1 : whole};
+#endif
+  }
+
+  /// The least of all lanes, in each.
+  friend Pack least_lane(const Pack& a) noexcept {
+#if defined(__AVX512F__)
+    return Pack{_mm512_reduce_min_pd(a.lanes_)};
+#elif defined(__AVX__)
+    const Pack halves = min(a, Pack{__builtin_shufflevector(a.lanes_, a.lanes_, 2, 3, 0, 1)});
+    return min(halves, Pack{__builtin_shufflevector(halves.lanes_, halves.lanes_, 1, 0, 3, 2)});
+#else
+    return min(a, Pack{__builtin_shufflevector(a.lanes_, a.lanes_, 1, 0)});
+#endif
+  }
+  [[nodiscard]] static bool all_of(const Mask& mask) noexcept {
+#if defined(__AVX512F__)
+    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask)) == 0xff;
+#elif defined(__AVX__)
+    return _mm256_movemask_pd(reinterpret_cast<Register>(mask)) == 0xf;
+#else
+    return (mask[0] & mask[1]) != 0;
+#endif
   }
 
  private:

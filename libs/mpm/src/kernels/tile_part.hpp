@@ -39,14 +39,8 @@ class PartOfPacks {
   [[nodiscard]] TilePart<D> of_block() const noexcept {
     TilePart<D> part;
     for (std::size_t axis = 0; axis < D; ++axis) {
-      double before = before_[axis][0];
-      double last = last_[axis][0];
-      for (int lane = 1; lane < Pack::size; ++lane) {
-        before = before < before_[axis][lane] ? before_[axis][lane] : before;
-        last = last < last_[axis][lane] ? last_[axis][lane] : last;
-      }
-      part.begin[axis] = -static_cast<Index>(before);
-      part.end[axis] = static_cast<Index>(last) + static_cast<Index>(S);
+      part.begin[axis] = -static_cast<Index>(-least_lane(-before_[axis])[0]);
+      part.end[axis] = static_cast<Index>(-least_lane(-last_[axis])[0]) + static_cast<Index>(S);
     }
     return part;
   }

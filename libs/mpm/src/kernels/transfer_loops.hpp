@@ -1,5 +1,6 @@
 #pragma once
 
+#include "near_loops.hpp"
 #include "stencil_loops.hpp"
 #include "tile_part.hpp"
 #include "transfer_kernels.hpp"
@@ -130,7 +131,9 @@ inline void keep(const Stencil<Pack, D, S>& stencil, const BlockPlace<D>& place,
     const auto stride = static_cast<double>(TileType::strides().axis[axis]);
     first = first + (stencil.base[axis] - place.first_base[axis]) * stride;
   }
-  for (int lane = 0; lane < Pack::size; ++lane) kept.first[lane] = static_cast<int>(first[lane]);
+  double places[Pack::size];
+  first.store(places);
+  for (int lane = 0; lane < Pack::size; ++lane) kept.first[lane] = static_cast<int>(places[lane]);
 }
 
 /// The given in fours, point by point.
@@ -197,8 +200,11 @@ inline void scatter_lane(const PackStencils<D, S>& stencils, const PackGiven<D, 
 }
 
 template <int D, int V, Shape ShapeType, TransferRule Rule>
-SCREE_KERNEL void scatter(const AnyShape& any_shape, const PointColumns<D, V, const double>& columns,
-                          const BlockPlace<D>& place, const TileNodes<D, double>& nodes, double dt) noexcept {
+SCREE_KERNEL void scatter(const AnyShape& any_shape, const PointColumns<D, V, const double>& any_columns,
+                          const BlockPlace<D>& any_place, const TileNodes<D, double>& nodes,
+                          double dt) noexcept {
+  const auto columns = any_columns;  // copies, which what is stored cannot be part of
+  const auto place = any_place;
   using TileType = Tile<D, ShapeType::support, Rule>;
   const auto shape = *std::get_if<ShapeType>(&any_shape);
   TileType tile;
@@ -245,9 +251,8 @@ inline void gather_lane(const PackStencils<D, S>& stencils, int lane, const Stri
 }
 
 template <TransferRule Rule, int D, int V>
-[[nodiscard]] inline Taken<Pack, D, V> taken_by(const PackTaken<D>& kept) noexcept {
+inline void keep(const PackTaken<D>& kept, Taken<Pack, D, V>& taken) noexcept {
   constexpr Index stride = Index{4} * (1 + D);
-  Taken<Pack, D, V> taken;
   Pack fields[4];
   from_fours(kept.velocity[0][0], stride, fields);
   for (std::size_t i = 0; i < V; ++i) taken.velocity[i] = fields[1 + i];
@@ -259,7 +264,51 @@ template <TransferRule Rule, int D, int V>
     from_fours(kept.increment[0], 4, fields);
     for (std::size_t i = 0; i < V; ++i) taken.increment[i] = fields[i];
   }
-  return taken;
+}
+
+/// A pack of points from nodes anywhere in the tile, lane by lane.
+template <class TileType, TransferRule Rule, int D, int V, std::size_t S>
+inline void gather_lanes(const Stencil<Pack, D, S>& stencil, const BlockPlace<D>& place, const double* tile,
+                         Taken<Pack, D, V>& taken) noexcept {
+  PackStencils<D, S> stencils;
+  PackTaken<D> kept;
+  keep<TileType, Rule>(stencil, place, stencils);
+  for (int lane = 0; lane < Pack::size; ++lane) {
+    gather_lane<Rule>(stencils, lane, TileType::strides(), tile, kept);
+  }
+  keep<Rule>(kept, taken);
+}
+
+/// A pack of points whose nodes are near.  @tparam N nodes along the first axis
+template <class TileType, TransferRule Rule, std::size_t N, int D, int V, std::size_t S>
+inline void gather_near(const NearNodes<D, S>& nodes, const double* first,
+                        Taken<Pack, D, V>& taken) noexcept {
+  constexpr auto stride = TileType::strides();
+  for (std::size_t i = 0; i < V; ++i) {
+    const auto velocity = sum_near<N, true>(nodes, stride, first + NodeRecord::momentum + i);
+    taken.velocity[i] = velocity.value;
+    for (std::size_t j = 0; j < D; ++j) taken.velocity_gradient[j][i] = velocity.slope[j];
+    if constexpr (Rule::has_increment) {
+      taken.increment[i] = sum_near<N, false>(nodes, stride, first + Record<Rule>::force + i).value;
+    }
+  }
+}
+
+template <class TileType, TransferRule Rule, int D, int V, std::size_t S>
+inline void gather_pack(const Stencil<Pack, D, S>& stencil, const BlockPlace<D>& place, const double* tile,
+                        Taken<Pack, D, V>& taken) noexcept {
+  const Beginnings<D> begin{stencil.base};
+  if (!begin.are_near) return gather_lanes<TileType, Rule>(stencil, place, tile, taken);
+  const NearNodes<D, S> nodes{stencil, begin};
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    const auto along = static_cast<int>(begin.first[axis] - place.first_base[axis]);
+    tile += along * TileType::strides().axis[axis];
+  }
+  if (begin.are_one[0]) {
+    gather_near<TileType, Rule, S>(nodes, tile, taken);
+  } else {
+    gather_near<TileType, Rule, S + 1>(nodes, tile, taken);
+  }
 }
 
 /// What has become of the points of a block, lane by lane.
@@ -281,11 +330,9 @@ class MotionOfPacks {
   }
   [[nodiscard]] BlockMotion of_block() const noexcept {
     BlockMotion motion;
-    for (int lane = 0; lane < Pack::size; ++lane) {
-      motion.advection_rate = motion.advection_rate < rate_[lane] ? rate_[lane] : motion.advection_rate;
-      motion.needs_sort = motion.needs_sort || is_inside_[lane] == 0;
-      motion.lacks_volume = motion.lacks_volume || lacks_volume_[lane] != 0;
-    }
+    motion.advection_rate = -least_lane(-rate_)[0];
+    motion.needs_sort = !Pack::all_of(is_inside_);
+    motion.lacks_volume = !Pack::all_of(~lacks_volume_);
     return motion;
   }
 
@@ -297,8 +344,10 @@ class MotionOfPacks {
 
 template <int D, int V, Shape ShapeType, TransferRule Rule>
 SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& any_rule,
-                                const PointColumns<D, V, double>& columns, const BlockPlace<D>& place,
+                                const PointColumns<D, V, double>& any_columns, const BlockPlace<D>& any_place,
                                 const TileNodes<D, const double>& nodes, double dt) noexcept {
+  const auto columns = any_columns;  // copies, which what is stored cannot be part of
+  const auto place = any_place;
   using TileType = Tile<D, ShapeType::support, Rule>;
   const auto shape = *std::get_if<ShapeType>(&any_shape);
   const auto rule = *std::get_if<Rule>(&any_rule);
@@ -309,17 +358,13 @@ SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& an
                            double* to = tile.values + in_tile;
                            for (Index i = 0; i < count; ++i) to[i] = run[i];
                          });
-  PackStencils<D, ShapeType::support> stencils;
-  PackTaken<D> taken;
   MotionOfPacks motion;
   for (Index p = columns.begin; p < columns.end; p += Pack::size) {
     const Point<Pack, D, V> point = load(columns, p);
-    keep<TileType, Rule>(stencil_at<Rule, D>(shape, point.position, place.origin, place.inverse_spacing),
-                         place, stencils);
-    for (int lane = 0; lane < Pack::size; ++lane) {
-      gather_lane<Rule>(stencils, lane, TileType::strides(), tile.values, taken);
-    }
-    const Point<Pack, D, V> next = take<Rule>(rule, point, taken_by<Rule, D, V>(taken), dt);
+    const auto stencil = stencil_at<Rule, D>(shape, point.position, place.origin, place.inverse_spacing);
+    Taken<Pack, D, V> taken;
+    gather_pack<TileType, Rule>(stencil, place, tile.values, taken);
+    const Point<Pack, D, V> next = take<Rule>(rule, point, taken, dt);
     store(next, columns, p);
     motion.widen(next, place, ShapeType::shift);
   }

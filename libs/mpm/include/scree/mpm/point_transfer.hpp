@@ -125,7 +125,9 @@ template <TransferRule Rule, class Real, int D, int V>
                                             const Taken<Real, D, V>& taken, double dt) noexcept {
   Point<Real, D, V> next = point;
   for (std::size_t j = 0; j < D; ++j) next.position[j] = point.position[j] + dt * taken.velocity[j];
-  next.velocity_gradient = taken.velocity_gradient;
+  for (std::size_t j = 0; j < D; ++j) {  // number by number: packs would be copied in halves, which stalls
+    for (std::size_t i = 0; i < V; ++i) next.velocity_gradient[j][i] = taken.velocity_gradient[j][i];
+  }
   next.density = point.density / volume_ratio<Real, D, V>(taken.velocity_gradient, dt);
   if constexpr (Rule::has_increment) {
     const double share = rule.increment_share();
@@ -133,7 +135,7 @@ template <TransferRule Rule, class Real, int D, int V>
       next.velocity[i] = share * (point.velocity[i] + taken.increment[i]) + (1 - share) * taken.velocity[i];
     }
   } else {
-    next.velocity = taken.velocity;
+    for (std::size_t i = 0; i < V; ++i) next.velocity[i] = taken.velocity[i];
   }
   return next;
 }
