@@ -31,11 +31,12 @@ struct Case {
   int threads = 1;
   double share = 1;  ///< of the mesh that is filled, about: more is empty
   Base base = Base::none;
+  double jitter = 0.075;      ///< of points about a lattice [cells]; up to 0.25 they cross no other's place
   double cells_per_step = 0;  ///< that all points go along the first axis of a periodic mesh; 0: the swirl
 };
 
 template <int D>
-Particles<D> swirl(const CartesianGrid<D>& grid, Index fill, Index pad) {
+Particles<D> swirl(const CartesianGrid<D>& grid, Index fill, Index pad, double most_jitter = 0.075) {
   Indices<D> per_cell{};
   per_cell.fill(2);
   const double spacing = grid.spacing()[0];
@@ -43,7 +44,7 @@ Particles<D> swirl(const CartesianGrid<D>& grid, Index fill, Index pad) {
   const Vector<D> high = low + Vector<D>::Constant(static_cast<double>(fill) * spacing);
   auto particles = seed_box<D, D>(grid, low, high, per_cell, 1000);
   std::mt19937 random{1};
-  std::uniform_real_distribution<double> jitter{-0.075 * spacing, 0.075 * spacing};
+  std::uniform_real_distribution<double> jitter{-most_jitter * spacing, most_jitter * spacing};
   for (Index p = 0; p < particles.size(); ++p) {
     Vector<3> x = Vector<3>::Zero();
     for (int axis = 0; axis < D; ++axis) {
@@ -119,7 +120,7 @@ void step_of_points(benchmark::State& bench, const AnyShape& shape, const AnyTra
   const double spacing = 1.0 / static_cast<double>(what.fill);
   const double dt = 0.02 * 0.4 * spacing / 20;  // so short that hardly anything changes, but all is computed
   const auto grid = cube<D>(static_cast<Index>(edge), spacing, what.cells_per_step > 0);
-  auto particles = swirl<D>(grid, what.fill, pad);
+  auto particles = swirl<D>(grid, what.fill, pad, what.jitter);
   if (what.cells_per_step > 0) {
     std::ranges::fill(particles.velocity.values(), 0.0);
     std::fill_n(particles.velocity.component(0), particles.size(), what.cells_per_step * spacing / dt);
@@ -204,6 +205,7 @@ void add_all() {
          {.fill = fill, .base = Base::wall_that_reads});
   add<D>("apic_quadratic_body_that_reads", Quadratic{}, Apic{},
          {.fill = fill, .base = Base::body_that_reads});
+  add<D>("apic_quadratic_disordered", Quadratic{}, Apic{}, {.fill = fill, .jitter = 0.25});
   add<D>("apic_quadratic_stream", Quadratic{}, Apic{}, {.fill = fill, .cells_per_step = 0.2});
   for (const int count : {2, 8}) {
     for (const Sites sites : {Sites::cells, Sites::nodes}) {

@@ -24,7 +24,8 @@ template <int D>
 constexpr Index num_cells = block_edge<D> + 3;  // along each axis: more than one block of them
 
 /// Where the points of a cloud are: anywhere in the mesh, and far from each other in a pack; or in a cube of
-/// 1.6 cells in its middle as they were sorted, so that a pack's stencils begin at one node or at neighbours.
+/// 1.6 cells in its middle as they were sorted, so that most packs' stencils begin at one node or at
+/// neighbours.
 enum class Density { thin, dense };
 
 /// Points with all they have drawn at random; of a thin cloud they have moved since they were sorted, as far

@@ -7,8 +7,9 @@
 #include <array>
 #include <cstddef>
 
-/// The loops over the nodes of a pack of points whose stencils begin at one node or at neighbouring ones, as
-/// those of sorted points mostly do. Lanes are points: a node is read once for all of them.
+/// The loops over the nodes of a pack of points whose stencils begin at one node or at neighbouring ones: of
+/// sorted points most packs, where a cell has as many points as a pack. Lanes are points: a node is read once
+/// for all of them. A node that is no number makes none of the whole pack, of those too that do not reach it.
 namespace scree::mpm::SCREE_INSTRUCTION_SET {
 
 /// Where the stencils of a pack of points begin.
@@ -17,7 +18,7 @@ struct Beginnings {
   Components<double, D> first;            ///< of all, along each axis
   Components<Pack::Mask, D> is_at_first;  ///< which begin there
   Components<bool, D> are_one;            ///< whether all do
-  bool are_near;                          ///< whether none begins beyond the next node; not of NaN
+  bool are_near;                          ///< whether none begins beyond the next node
 
   explicit Beginnings(const Components<Pack, D>& base) noexcept {
     Pack::Mask near = ~Pack::Mask{};

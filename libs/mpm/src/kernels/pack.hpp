@@ -81,7 +81,7 @@ class Pack {
 #endif
   }
 
-  /// The least of all lanes, in each.
+  /// The least of all lanes, in each; any number if one is NaN.
   friend Pack least_lane(const Pack& a) noexcept {
 #if defined(__AVX512F__)
     return Pack{_mm512_reduce_min_pd(a.lanes_)};
@@ -92,9 +92,12 @@ class Pack {
     return min(a, Pack{__builtin_shufflevector(a.lanes_, a.lanes_, 1, 0)});
 #endif
   }
+  friend Pack largest_lane(const Pack& a) noexcept {
+    return -least_lane(-a);
+  }
   [[nodiscard]] static bool all_of(const Mask& mask) noexcept {
 #if defined(__AVX512F__)
-    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask)) == 0xff;
+    return _mm512_test_epi64_mask(reinterpret_cast<__m512i>(mask), reinterpret_cast<__m512i>(mask)) == 0xff;
 #elif defined(__AVX__)
     return _mm256_movemask_pd(reinterpret_cast<Register>(mask)) == 0xf;
 #else

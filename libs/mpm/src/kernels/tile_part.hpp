@@ -39,8 +39,8 @@ class PartOfPacks {
   [[nodiscard]] TilePart<D> of_block() const noexcept {
     TilePart<D> part;
     for (std::size_t axis = 0; axis < D; ++axis) {
-      part.begin[axis] = -static_cast<Index>(-least_lane(-before_[axis])[0]);
-      part.end[axis] = static_cast<Index>(-least_lane(-last_[axis])[0]) + static_cast<Index>(S);
+      part.begin[axis] = -static_cast<Index>(largest_lane(before_[axis])[0]);
+      part.end[axis] = static_cast<Index>(largest_lane(last_[axis])[0]) + static_cast<Index>(S);
     }
     return part;
   }

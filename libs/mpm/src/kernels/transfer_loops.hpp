@@ -11,7 +11,8 @@
 #include <utility>
 
 /// Points to nodes and back, a pack of points at a time. Lanes are points for weights and for what a point
-/// gives or takes (point_transfer.hpp), fields of a node in between (stencil_loops.hpp).
+/// gives or takes (point_transfer.hpp), fields of a node on the way there and of packs whose points are far
+/// apart (stencil_loops.hpp); points in between too on the way back to the others (near_loops.hpp).
 namespace scree::mpm::SCREE_INSTRUCTION_SET {
 
 static_assert(pack_size % Pack::size == 0);
@@ -200,11 +201,11 @@ inline void scatter_lane(const PackStencils<D, S>& stencils, const PackGiven<D, 
 }
 
 template <int D, int V, Shape ShapeType, TransferRule Rule>
-SCREE_KERNEL void scatter(const AnyShape& any_shape, const PointColumns<D, V, const double>& any_columns,
-                          const BlockPlace<D>& any_place, const TileNodes<D, double>& nodes,
+SCREE_KERNEL void scatter(const AnyShape& any_shape, const PointColumns<D, V, const double>& given_columns,
+                          const BlockPlace<D>& given_place, const TileNodes<D, double>& nodes,
                           double dt) noexcept {
-  const auto columns = any_columns;  // copies, which what is stored cannot be part of
-  const auto place = any_place;
+  const auto columns = given_columns;  // copies: stores to points cannot alias them
+  const auto place = given_place;
   using TileType = Tile<D, ShapeType::support, Rule>;
   const auto shape = *std::get_if<ShapeType>(&any_shape);
   TileType tile;
@@ -251,7 +252,7 @@ inline void gather_lane(const PackStencils<D, S>& stencils, int lane, const Stri
 }
 
 template <TransferRule Rule, int D, int V>
-inline void keep(const PackTaken<D>& kept, Taken<Pack, D, V>& taken) noexcept {
+inline void read_back(const PackTaken<D>& kept, Taken<Pack, D, V>& taken) noexcept {
   constexpr Index stride = Index{4} * (1 + D);
   Pack fields[4];
   from_fours(kept.velocity[0][0], stride, fields);
@@ -276,7 +277,7 @@ inline void gather_lanes(const Stencil<Pack, D, S>& stencil, const BlockPlace<D>
   for (int lane = 0; lane < Pack::size; ++lane) {
     gather_lane<Rule>(stencils, lane, TileType::strides(), tile, kept);
   }
-  keep<Rule>(kept, taken);
+  read_back<Rule>(kept, taken);
 }
 
 /// A pack of points whose nodes are near.  @tparam N nodes along the first axis
@@ -330,7 +331,7 @@ class MotionOfPacks {
   }
   [[nodiscard]] BlockMotion of_block() const noexcept {
     BlockMotion motion;
-    motion.advection_rate = -least_lane(-rate_)[0];
+    motion.advection_rate = largest_lane(rate_)[0];
     motion.needs_sort = !Pack::all_of(is_inside_);
     motion.lacks_volume = !Pack::all_of(~lacks_volume_);
     return motion;
@@ -344,10 +345,11 @@ class MotionOfPacks {
 
 template <int D, int V, Shape ShapeType, TransferRule Rule>
 SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& any_rule,
-                                const PointColumns<D, V, double>& any_columns, const BlockPlace<D>& any_place,
-                                const TileNodes<D, const double>& nodes, double dt) noexcept {
-  const auto columns = any_columns;  // copies, which what is stored cannot be part of
-  const auto place = any_place;
+                                const PointColumns<D, V, double>& given_columns,
+                                const BlockPlace<D>& given_place, const TileNodes<D, const double>& nodes,
+                                double dt) noexcept {
+  const auto columns = given_columns;  // copies: stores to points cannot alias them
+  const auto place = given_place;
   using TileType = Tile<D, ShapeType::support, Rule>;
   const auto shape = *std::get_if<ShapeType>(&any_shape);
   const auto rule = *std::get_if<Rule>(&any_rule);
