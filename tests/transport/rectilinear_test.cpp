@@ -174,6 +174,24 @@ TEST(Rectilinear, KeepsSumsOfComponentsAndTheirBounds) {  // one factor for all,
   }
 }
 
+/// Of several fractions too, whose common factor on unequal cells the one that is chosen has to find.
+TYPED_TEST(EveryLimiterOnRectilinear, HasTheSameBitsIfItIsChosenAtRunTime) {
+  using Alone = PiecewiseLinearCommon<TypeParam>;
+  const Rectilinear<1> grid{{random_edges(60, 100, 11)}};
+  const auto advanced = [&](const auto& reconstruction) {
+    std::vector<double> u;
+    for (int i = 0; i < 60; ++i) {
+      u.push_back(i < 20 ? 0 : 0.5 + 0.5 * std::sin(i));
+      u.push_back(1 - u.back());
+    }
+    Solver{grid, Exchange{}, reconstruction}.advance(u, 0.2);
+    return u;
+  };
+  const Alone alone{.limiter = TypeParam{}, .scale = 1.0};
+
+  EXPECT_EQ(advanced(test::WithAnyLimiter<PiecewiseLinearCommon<Minmod>>{alone}), advanced(alone));
+}
+
 /// A box of random cells in each dimension.
 template <int D>
 Rectilinear<D> random_box(Index n, const std::array<bool, D>& is_periodic) {

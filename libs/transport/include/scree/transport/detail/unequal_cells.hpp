@@ -2,6 +2,7 @@
 
 #include <scree/transport/components.hpp>
 #include <scree/transport/concepts.hpp>
+#include <scree/transport/reconstructions/any_reconstruction.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,7 @@ namespace scree::transport::detail {
 /// @see Eqs. (T60), (T61)
 template <class R>
 struct OnUnequalCells {
+  static_assert(!is_chosen_at_run_time<R>, "AnyReconstruction has to be the outermost");
   static_assert(
       !requires { requires R::needs_equal_cells; },
       "this reconstruction is right on equal cells only: it cannot stand on a Rectilinear grid");

@@ -2,6 +2,7 @@
 
 #include <scree/transport/components.hpp>
 #include <scree/transport/concepts.hpp>
+#include <scree/transport/reconstructions/any_reconstruction.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -28,6 +29,7 @@ constexpr bool keeps_mean<R> = R::keeps_mean;
 /// @see Eqs. (T23), (T24), \cite perthame1996
 template <class R, HasAdmissibleStates Law>
 struct Admissible {
+  static_assert(!is_chosen_at_run_time<R>, "put AnyReconstruction round several Admissible, not inside one");
   static constexpr std::string_view name = "admissible";
   static constexpr std::string_view summary = "another reconstruction, scaled down to states that can be";
   static constexpr bool keeps_mean = transport::keeps_mean<R>;

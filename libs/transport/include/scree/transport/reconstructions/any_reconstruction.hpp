@@ -10,7 +10,9 @@ namespace scree::transport {
 
 /// One of several reconstructions, chosen at run time: a solver asks once a row of cells which it is.
 ///
-/// The same bits as that one alone, and a solver is compiled once for all of them.
+/// The same bits as that one alone, and a solver is compiled once for all of them. It is the outermost: of
+/// `Admissible` and `InPrimitives` it holds several, and they refuse to hold it. What one of several needs
+/// (equal cells), or does not promise (bounds), holds for all.
 template <class... Rs>
 struct AnyReconstruction {
   static constexpr std::string_view name = "any_reconstruction";
@@ -30,5 +32,10 @@ struct AnyReconstruction {
     return std::visit([](const auto& chosen) { return chosen.promised_cfl(); }, choice);
   }
 };
+
+template <class R>
+constexpr bool is_chosen_at_run_time = false;
+template <class... Rs>
+constexpr bool is_chosen_at_run_time<AnyReconstruction<Rs...>> = true;
 
 }  // namespace scree::transport

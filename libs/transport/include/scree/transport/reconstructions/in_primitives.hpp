@@ -3,6 +3,7 @@
 #include <scree/transport/components.hpp>
 #include <scree/transport/concepts.hpp>
 #include <scree/transport/limiters/minmod.hpp>
+#include <scree/transport/reconstructions/any_reconstruction.hpp>
 #include <scree/transport/reconstructions/piecewise_linear.hpp>
 
 namespace scree::transport {
@@ -15,6 +16,8 @@ namespace scree::transport {
 /// @see Eq. (T22)
 template <class R, HasPrimitives Law>
 struct InPrimitives {
+  static_assert(!is_chosen_at_run_time<R>,
+                "put AnyReconstruction round several InPrimitives, not inside one");
   static constexpr std::string_view name = "in_primitives";
   static constexpr std::string_view summary = "another reconstruction, of the primitive variables";
   static constexpr bool keeps_mean = false;
