@@ -307,7 +307,7 @@ TEST(MeansOverCells, BearTheCriticalSumOnHatFunctions) {  // Eqs. (M131), (M132)
 TEST(MeansOverCells, AreNoChangeOnHatFunctionsInOneDimension) {  // Eqs. (M131), (M132)
   constexpr int num_steps = 200;
   // Velocities are those of a disturbance, 1e-10 h/dt. Densities and stresses stand beside 1 and K: some
-  // fifty roundings of those in a step change a velocity by as many of h/dt, times the sum, which is below 1.
+  // fifty roundings of those in a step change a velocity by as many of h/dt, times the sum, at most 1.
   constexpr double rounding = num_steps * 50 * round_off * spacing / dt;
   static_assert(rounding < 0.02 * disturbance * spacing / dt);
   for (const AnyTransfer& transfer : every<AnyTransfer>()) {
