@@ -68,7 +68,7 @@ template <transport::Limiter L>
 inline constexpr bool is_for_systems_only<transport::PiecewiseLinearCommon<L>> = true;
 
 namespace detail {
-/// A list of types out of several.
+/// One of any of the reconstructions in several lists.
 template <class... Lists>
 struct Joined;
 template <class... Entries>
