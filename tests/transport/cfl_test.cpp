@@ -4,6 +4,7 @@
 #include <scree/transport/integrators.hpp>
 #include <scree/transport/laws/advection.hpp>
 #include <scree/transport/laws/burgers.hpp>
+#include <scree/transport/limiters.hpp>
 #include <scree/transport/reconstructions.hpp>
 #include <scree/transport/solver.hpp>
 
@@ -15,7 +16,7 @@ struct Variation {
   double outside;  ///< how far the bounds of the start were left [-]
 };
 
-using AnyLinear = test::WithAnyLimiter<PiecewiseLinear<Minmod>>;
+using AnyLinear = WithAnyLimiter<PiecewiseLinear<Minmod>>;
 
 /// Steps of a given CFL number, which no one checks.
 template <class Law>

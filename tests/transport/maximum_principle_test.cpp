@@ -19,7 +19,7 @@ TYPED_TEST_SUITE(MaximumPrinciple, test::Types<LimiterList>);
 
 /// How far the bounds of random data are left, in steps of the promised CFL number.
 template <int D>
-double outside(const test::WithAnyLimiter<PiecewiseLinear<Minmod>>& reconstruction, Index n) {
+double outside(const WithAnyLimiter<PiecewiseLinear<Minmod>>& reconstruction, Index n) {
   const Lattice<D> lattice = test::cube<D>(n);
   Solver solver{
       Cartesian<D>{lattice}, Burgers{}, reconstruction, SspRk2{}, {.cfl = reconstruction.promised_cfl()}};

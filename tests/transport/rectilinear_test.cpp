@@ -93,7 +93,7 @@ double mean_order(MakeEdges&& make_edges, const R& reconstruction) {
   return -sum / sum_of_squares;
 }
 
-using AnyLinear = test::WithAnyLimiter<PiecewiseLinear<Minmod>>;
+using AnyLinear = WithAnyLimiter<PiecewiseLinear<Minmod>>;
 
 template <class L>
 class EveryLimiterOnRectilinear : public ::testing::Test {};
@@ -189,7 +189,7 @@ TYPED_TEST(EveryLimiterOnRectilinear, HasTheSameBitsIfItIsChosenAtRunTime) {
   };
   const Alone alone{.limiter = TypeParam{}, .scale = 1.0};
 
-  EXPECT_EQ(advanced(test::WithAnyLimiter<PiecewiseLinearCommon<Minmod>>{alone}), advanced(alone));
+  EXPECT_EQ(advanced(WithAnyLimiter<PiecewiseLinearCommon<Minmod>>{alone}), advanced(alone));
 }
 
 /// A box of random cells in each dimension.

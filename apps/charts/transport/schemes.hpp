@@ -30,37 +30,6 @@ void for_each_variant(Visitor&& visit) {
   visit(L{}, std::string{L::name});
 }
 
-namespace detail {
-/// A reconstruction with every limiter that it may have.
-template <class R>
-struct Reconstructions {
-  using Types = transport::TypeList<R>;
-
-  template <class Visitor>
-  static void visit_each(Visitor&& visit) {
-    visit(R{}, std::string{});
-  }
-};
-
-template <template <transport::Limiter> class R, transport::Limiter Any>
-struct Reconstructions<R<Any>> {
-  template <class List>
-  struct With;
-  template <class... Limiters>
-  struct With<transport::TypeList<Limiters...>> {
-    using type = transport::TypeList<R<Limiters>...>;
-  };
-  using Types = typename With<transport::LimiterList>::type;
-
-  template <class Visitor>
-  static void visit_each(Visitor&& visit) {
-    transport::for_each_entry(transport::LimiterList{}, [&]<class L>() {
-      for_each_variant<L>([&](const L& limiter, const std::string& label) { visit(R<L>{limiter}, label); });
-    });
-  }
-};
-}  // namespace detail
-
 /// Whether a reconstruction is another one in disguise where there is one component only.
 template <class R>
 inline constexpr bool is_for_systems_only = false;
@@ -68,30 +37,54 @@ template <transport::Limiter L>
 inline constexpr bool is_for_systems_only<transport::PiecewiseLinearCommon<L>> = true;
 
 namespace detail {
-/// One of any of the reconstructions in several lists.
-template <class... Lists>
+/// A reconstruction with every limiter that it may have.
+template <class R>
+struct Reconstructions {
+  using Any = transport::AnyReconstruction<R>;
+
+  template <class Visitor>
+  static void visit_each(Visitor&& visit) {
+    visit(R{}, std::string{});
+  }
+};
+
+template <template <transport::Limiter> class R, transport::Limiter L>
+struct Reconstructions<R<L>> {
+  using Any = transport::WithAnyLimiter<R<L>>;
+
+  template <class Visitor>
+  static void visit_each(Visitor&& visit) {
+    transport::for_each_entry(transport::LimiterList{}, [&]<class Other>() {
+      for_each_variant<Other>(
+          [&](const Other& limiter, const std::string& label) { visit(R<Other>{limiter}, label); });
+    });
+  }
+};
+
+/// One of all that several may be.
+template <class... Anys>
 struct Joined;
-template <class... Entries>
-struct Joined<transport::TypeList<Entries...>> {
-  using type = transport::AnyReconstruction<Entries...>;
+template <class... Rs>
+struct Joined<transport::AnyReconstruction<Rs...>> {
+  using type = transport::AnyReconstruction<Rs...>;
 };
 template <class... First, class... Second, class... Rest>
-struct Joined<transport::TypeList<First...>, transport::TypeList<Second...>, Rest...>
-    : Joined<transport::TypeList<First..., Second...>, Rest...> {};
+struct Joined<transport::AnyReconstruction<First...>, transport::AnyReconstruction<Second...>, Rest...>
+    : Joined<transport::AnyReconstruction<First..., Second...>, Rest...> {};
 
 template <int N, class R>
-using Shown = std::conditional_t<(N > 1 || !is_for_systems_only<R>), typename Reconstructions<R>::Types,
-                                 transport::TypeList<>>;
+using Shown = std::conditional_t<(N > 1 || !is_for_systems_only<R>), typename Reconstructions<R>::Any,
+                                 transport::AnyReconstruction<>>;
 
 template <int N, class List>
 struct AnyOfComponents;
 template <int N, class... Rs>
 struct AnyOfComponents<N, transport::TypeList<Rs...>> : Joined<Shown<N, Rs>...> {};
 
-template <class Law, class List>
+template <class Law, class Any>
 struct AnyInPrimitives;
 template <class Law, class... Rs>
-struct AnyInPrimitives<Law, transport::TypeList<Rs...>> {
+struct AnyInPrimitives<Law, transport::AnyReconstruction<Rs...>> {
   using type = transport::AnyReconstruction<transport::Admissible<transport::InPrimitives<Rs, Law>, Law>...>;
 };
 }  // namespace detail
@@ -116,7 +109,7 @@ void for_each_reconstruction(Visitor&& visit) {
 template <class Law, class Visitor>
 void for_each_reconstruction_in_primitives(const Law& law, Visitor&& visit) {
   using Linear = detail::Reconstructions<transport::PiecewiseLinear<transport::Minmod>>;
-  using Any = typename detail::AnyInPrimitives<Law, typename Linear::Types>::type;
+  using Any = typename detail::AnyInPrimitives<Law, typename Linear::Any>::type;
   Linear::visit_each([&](const auto& linear, const std::string& label) {
     visit(Any{transport::Admissible{transport::InPrimitives{linear, law}, law}}, label);
   });

@@ -3,8 +3,7 @@
 #include <scree/grainsize/segregation.hpp>
 #include <scree/grainsize/segregation_law.hpp>
 #include <scree/transport/grids/occupied_cells.hpp>
-#include <scree/transport/reconstructions/any_reconstruction.hpp>
-#include <scree/transport/reconstructions/piecewise_linear_common.hpp>
+#include <scree/transport/reconstructions.hpp>
 #include <scree/transport/solver.hpp>
 
 #include <algorithm>
@@ -48,14 +47,6 @@ class SegregationStepper {
                                             std::span<const double> fractions) = 0;
 };
 
-/// Slopes of fractions, with any of some limiters.
-template <class Limiter>
-struct CommonSlopes;
-template <class... Limiters>
-struct CommonSlopes<std::variant<Limiters...>> {
-  using type = transport::AnyReconstruction<transport::PiecewiseLinearCommon<Limiters>...>;
-};
-
 /// The stepper for up to N classes.
 template <int D, int N>
 class SegregationStepperOf final : public SegregationStepper<D> {
@@ -96,7 +87,7 @@ class SegregationStepperOf final : public SegregationStepper<D> {
   }
 
  private:
-  using Slopes = CommonSlopes<transport::AnyLimiter>::type;
+  using Slopes = transport::WithAnyLimiter<transport::PiecewiseLinearCommon<transport::Minmod>>;
 
   /// The scale below whose round-off a class is noise: the tail of one that is gone must not flatten the
   /// rest.

@@ -17,4 +17,17 @@ using ReconstructionList = TypeList<  //
     PiecewiseLinearCommon<Minmod>,    //
     Cweno3>;
 
+namespace detail {
+template <class R, class List>
+struct WithAnyOf;
+template <template <Limiter> class R, Limiter L, class... Limiters>
+struct WithAnyOf<R<L>, TypeList<Limiters...>> {
+  using type = AnyReconstruction<R<Limiters>...>;
+};
+}  // namespace detail
+
+/// A reconstruction with any limiter there is in the place of its own, chosen at run time.
+template <class R>
+using WithAnyLimiter = typename detail::WithAnyOf<R, LimiterList>::type;
+
 }  // namespace scree::transport
