@@ -4,6 +4,8 @@ include(CheckCXXSourceCompiles)
 # Kernels for wide instruction sets are worth their compile time in the optimised build alone.
 option(SCREE_WIDE_KERNELS "Compile hot loops for x86-64-v3 and v4 too, chosen when a program starts" ON)
 check_cxx_compiler_flag(-march=x86-64-v4 SCREE_KNOWS_X86_64_V4)  # not on other machines
+# GCC copies structures of registers in halves unless told how wide they are; clang does not.
+check_cxx_compiler_flag("-mmove-max=256;-mstore-max=256" SCREE_KNOWS_MOVE_MAX)
 if(SCREE_WIDE_KERNELS AND SCREE_KNOWS_X86_64_V4)
   set(SCREE_INSTRUCTION_SETS baseline x86-64-v3 x86-64-v4)
 else()
@@ -31,6 +33,8 @@ if(NOT SCREE_INSTRUCTION_SETS STREQUAL baseline)
     }" SCREE_HAS_VECTOR_FUNCTIONS)
   unset(CMAKE_REQUIRED_FLAGS)
 endif()
+set(SCREE_REGISTER_BITS_OF_x86-64-v3 256)
+set(SCREE_REGISTER_BITS_OF_x86-64-v4 512)
 set(SCREE_VECTOR_FUNCTIONS_OF_x86-64-v3 _ZGVdN4)
 set(SCREE_VECTOR_FUNCTIONS_OF_x86-64-v4 _ZGVeN8)
 
@@ -57,6 +61,10 @@ function(scree_kernels library)
     if(NOT set STREQUAL baseline)
       # Optimised in any build: what is not inlined into the kernels would be a weak symbol.
       target_compile_options(${kernels} PRIVATE -march=${set} $<$<NOT:$<CONFIG:Release,RelWithDebInfo>>:-O2>)
+      if(SCREE_KNOWS_MOVE_MAX)
+        set(bits ${SCREE_REGISTER_BITS_OF_${set}})
+        target_compile_options(${kernels} PRIVATE -mmove-max=${bits} -mstore-max=${bits})
+      endif()
       target_compile_definitions(scree_${library} PRIVATE SCREE_WIDE_KERNELS)
       if(SCREE_HAS_VECTOR_FUNCTIONS)
         target_compile_definitions(${kernels} PRIVATE SCREE_VECTOR_FUNCTIONS="${SCREE_VECTOR_FUNCTIONS_OF_${set}}")

@@ -183,9 +183,9 @@ TEST(InitialState, OfAnUnknownNameIsRefused) {
       "scene.toml:27: [rheology.initial] preconsolidatoin: unknown key, did you mean 'preconsolidation'?");
   EXPECT_EQ(
       message_of(column_of(1, typical_law<rheology::ModifiedCamClay>() +
-                                  "[rheology.initial]\nelastic_stretch_xx "
+                                  "[rheology.initial]\nelastic_strain_xx "
                                   "= 2\n")),
-      "scene.toml:27: [rheology.initial] elastic_stretch_xx: unknown key, known here: preconsolidation");
+      "scene.toml:27: [rheology.initial] elastic_strain_xx: unknown key, known here: preconsolidation");
 }
 
 TEST(InitialState, OutOfItsRangeIsRefused) {

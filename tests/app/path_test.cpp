@@ -211,7 +211,7 @@ TEST(PathCsv, HasTheLawsMemoryAndNoColumnThatItLacks) {
 
   const std::string header = first_line(csv_of(*point, drive(*point, file.stages)));
 
-  EXPECT_NE(header.find(",elastic_stretch_xx [-],"), std::string::npos) << header;
+  EXPECT_NE(header.find(",elastic_strain_xx [-],"), std::string::npos) << header;
   EXPECT_EQ(header.find("inertial_number"), std::string::npos);
   EXPECT_EQ(header.find("stability_number"), std::string::npos);
 }

@@ -77,17 +77,21 @@ void register_law() {
   }
 }
 
+template <int D>
+void register_laws() {
+  register_law<D, rheology::Newtonian>();
+  register_law<D, rheology::MuOfI>();
+  register_law<D, rheology::GranularElastoviscoplastic>();
+  register_law<D, rheology::DruckerPrager>();
+  register_law<D, rheology::MohrCoulomb>();
+  register_law<D, rheology::ModifiedCamClay>();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  register_law<2, rheology::Newtonian>();
-  register_law<2, rheology::MuOfI>();
-  register_law<2, rheology::GranularElastoviscoplastic>();
-  register_law<2, rheology::DruckerPrager>();
-  register_law<3, rheology::Newtonian>();
-  register_law<3, rheology::MuOfI>();
-  register_law<3, rheology::GranularElastoviscoplastic>();
-  register_law<3, rheology::DruckerPrager>();
+  register_laws<2>();
+  register_laws<3>();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   return 0;

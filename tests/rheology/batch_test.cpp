@@ -240,7 +240,7 @@ TEST(ValidateColumns, RefusesMemoryThatAPlaneLacks) {
   columns.stress.fill(memory);
   const auto refused = [&] { return refusal([&] { validate_columns(columns); }); };
 
-  EXPECT_EQ(refused(), "the law 'drucker_prager' reads elastic_stretch_xz = 0.01 of point 0: must be 0");
+  EXPECT_EQ(refused(), "the law 'drucker_prager' reads elastic_strain_xz = 0.01 of point 0: must be 0");
   std::vector<double> none(8);
   columns.states[4] = columns.states[5] = none;
   EXPECT_EQ(refused(), "");

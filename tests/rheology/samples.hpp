@@ -22,11 +22,10 @@ struct Sample {
   [[nodiscard]] double stress(std::size_t axis) const { return point.stress(axis, axis); }
   [[nodiscard]] double pressure() const { return -trace(point.stress) / 3; }
 
-  /// Adds logarithmic strains in one step. The midpoint rule of a gradient a over a unit of time stretches by
-  /// (1 + a/2)/(1 - a/2).
+  /// Adds logarithmic strains in one step.
   void step(double xx, double yy, double zz) {
     strain = {strain[0] + xx, strain[1] + yy, strain[2] + zz};
-    point.step(diagonal(2 * std::tanh(xx / 2), 2 * std::tanh(yy / 2), 2 * std::tanh(zz / 2)), density(), 1);
+    point.step(diagonal(xx, yy, zz), density(), 1);
   }
 };
 

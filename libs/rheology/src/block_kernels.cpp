@@ -3,7 +3,7 @@
 
 #include "block_kernels.hpp"
 
-#include "vector_functions.hpp"
+#include "two_packs.hpp"
 
 #include <scree/rheology/laws.hpp>
 #include <scree/update_block.hpp>
@@ -17,10 +17,11 @@ namespace scree::rheology::SCREE_INSTRUCTION_SET {
 
 namespace {
 
-/// The points that are computed at once.
+/// The points that are computed at once: a register of eight, two of four, or one point.
 template <std::size_t lanes>
 struct NumberOf {
-  using type = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, lanes>>;
+  using Register = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, lanes>>;
+  using type = std::conditional_t<lanes == 4, TwoPacks<Register>, Register>;
 };
 template <>
 struct NumberOf<1> {

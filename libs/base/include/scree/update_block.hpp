@@ -16,11 +16,34 @@ namespace detail {
 template <class Real>
 inline constexpr std::size_t num_lanes = sizeof(Real) / sizeof(double);
 
+/// Whether Real is two numbers of half the lanes, `low` and `high`. They are loaded and stored one after the
+/// other: a copy of both at once would go through memory.
+template <class Real>
+concept HasHalves = requires(const Real& real) {
+  Real{real.low, real.high};
+};
+
 template <class Real>
 [[nodiscard]] Real loaded(const double* values) noexcept {
-  Real result;
-  std::memcpy(static_cast<void*>(&result), values, sizeof(Real));
-  return result;
+  if constexpr (HasHalves<Real>) {
+    using Half = decltype(Real::low);
+    return {loaded<Half>(values), loaded<Half>(values + num_lanes<Half>)};
+  } else {
+    Real result;
+    std::memcpy(static_cast<void*>(&result), values, sizeof(Real));
+    return result;
+  }
+}
+
+template <class Real>
+void store(const Real& real, double* values) noexcept {
+  if constexpr (HasHalves<Real>) {
+    store(real.low, values);
+    store(real.high, values + num_lanes<decltype(Real::low)>);
+  } else {
+    const Real copy = real;
+    std::memcpy(values, static_cast<const void*>(&copy), sizeof(Real));
+  }
 }
 
 #pragma GCC diagnostic push
@@ -40,13 +63,9 @@ template <class Aggregate, class Real, class Pointer, std::size_t N>
 template <class Real, class Aggregate, std::size_t N>
 void store_members(const Aggregate& aggregate, const std::array<double*, N>& columns, Index p) noexcept {
   static_assert(N == 0 || sizeof(Aggregate) == N * sizeof(Real));
-  const auto store = [&](std::size_t i) {
-    const auto* member = reinterpret_cast<const double*>(&aggregate) + i * num_lanes<Real>;
-    const Real value = loaded<Real>(member);
-    if (columns[i] != nullptr) std::memcpy(columns[i] + p, static_cast<const void*>(&value), sizeof(Real));
-  };
+  const auto* members = reinterpret_cast<const Real*>(&aggregate);
   [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (store(I), ...);
+    ((columns[I] != nullptr ? store(members[I], columns[I] + p) : void()), ...);
   }
   (std::make_index_sequence<N>{});
 }

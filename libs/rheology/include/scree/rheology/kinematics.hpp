@@ -16,6 +16,9 @@ struct Symmetric {
   [[nodiscard]] friend constexpr Symmetric operator+(const Symmetric& a, const Symmetric& b) noexcept {
     return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
   }
+  [[nodiscard]] friend constexpr Symmetric operator-(const Symmetric& a, const Symmetric& b) noexcept {
+    return {a.xx - b.xx, a.yy - b.yy, a.zz - b.zz, a.xy - b.xy, a.xz - b.xz, a.yz - b.yz};
+  }
   [[nodiscard]] friend constexpr Symmetric operator*(const Real& factor, const Symmetric& a) noexcept {
     return {factor * a.xx, factor * a.yy, factor * a.zz, factor * a.xy, factor * a.xz, factor * a.yz};
   }
@@ -52,16 +55,52 @@ template <class Real>
   return a.xx * a.xx + a.yy * a.yy + a.zz * a.zz + 2.0 * (a.xy * a.xy + a.xz * a.xz + a.yz * a.yz);
 }
 
-/// The symmetric tensor a turned by the spin of a velocity gradient over a step, r a r^T with the rotation r
-/// of `midpoint_increment`, in closed form: r = 1 + 2/(1 + w^2) (Omega + Omega^2), where Omega = W dt/2 has
-/// the axis w.  Eq. (R18)
+/// The axis of an antisymmetric tensor: its components zy, xz and yx.
 template <class Real>
-[[nodiscard]] constexpr Symmetric<Real> turned(const Symmetric<Real>& a, const Tensor<Real>& gradient,
-                                               const Real& dt) noexcept {
+struct Axis {
+  Real x, y, z;
+
+  [[nodiscard]] friend constexpr Axis operator+(const Axis& a, const Axis& b) noexcept {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  [[nodiscard]] friend constexpr Axis operator-(const Axis& a, const Axis& b) noexcept {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
+  [[nodiscard]] friend constexpr Axis operator*(const Real& factor, const Axis& a) noexcept {
+    return {factor * a.x, factor * a.y, factor * a.z};
+  }
+  [[nodiscard]] friend constexpr Axis cross(const Axis& a, const Axis& b) noexcept {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  }
+};
+
+/// The axis of W dt/2, the spin of a velocity gradient over half a step.
+template <class Real>
+[[nodiscard]] constexpr Axis<Real> half_spin(const Tensor<Real>& gradient, const Real& dt) noexcept {
   const Real quarter = 0.25 * dt;
-  const Real x = quarter * (gradient(2, 1) - gradient(1, 2));
-  const Real y = quarter * (gradient(0, 2) - gradient(2, 0));
-  const Real z = quarter * (gradient(1, 0) - gradient(0, 1));
+  return {quarter * (gradient(2, 1) - gradient(1, 2)), quarter * (gradient(0, 2) - gradient(2, 0)),
+          quarter * (gradient(1, 0) - gradient(0, 1))};
+}
+
+/// Omega a - a Omega, of the antisymmetric tensor Omega with an axis: the rate at which it turns a.
+template <class Real>
+[[nodiscard]] constexpr Symmetric<Real> rate_of_turning(const Axis<Real>& axis,
+                                                        const Symmetric<Real>& a) noexcept {
+  const auto& [x, y, z] = axis;
+  return {2.0 * (y * a.xz - z * a.xy),
+          2.0 * (z * a.xy - x * a.yz),
+          2.0 * (x * a.yz - y * a.xz),
+          z * (a.xx - a.yy) + y * a.yz - x * a.xz,
+          y * (a.zz - a.xx) + x * a.xy - z * a.yz,
+          x * (a.yy - a.zz) + z * a.xz - y * a.xy};
+}
+
+/// A symmetric tensor turned to r a r^T by the rotation r = 1 + 2/(1 + w^2) (Omega + Omega^2), where Omega
+/// has the axis w, as long as the tangent of half the angle.  Eq. (R18)
+template <class Real>
+[[nodiscard]] constexpr Symmetric<Real> turned_about(const Axis<Real>& axis,
+                                                     const Symmetric<Real>& a) noexcept {
+  const auto& [x, y, z] = axis;
   const Real c = 2.0 / (1.0 + x * x + y * y + z * z);
   // Rows of r.
   const Real xx = 1.0 - c * (y * y + z * z);
@@ -89,6 +128,14 @@ template <class Real>
           ax * yx + ay * yy + az * yz,
           ax * zx + ay * zy + az * zz,
           bx * zx + by * zy + bz * zz};
+}
+
+/// The symmetric tensor a turned by the spin of a velocity gradient over a step, by the midpoint rule.
+/// Eq. (R18), from Hughes & Winget (1980), \cite hughes1980
+template <class Real>
+[[nodiscard]] constexpr Symmetric<Real> turned(const Symmetric<Real>& a, const Tensor<Real>& gradient,
+                                               const Real& dt) noexcept {
+  return turned_about(half_spin(gradient, dt), a);
 }
 
 /// (a - a^T)/2: the spin W of a velocity gradient.
@@ -124,36 +171,6 @@ template <class Real>
     }
   }
   return result;
-}
-
-/// Deformation over a step with velocity gradient L: (1 - A/2)^-1 (1 + A/2) with A = L dt, the midpoint rule
-/// of dF/dt = L F. It is of second order, and a rotation up to round-off if A is a spin.
-/// Eq. (R18), from Hughes & Winget (1980), \cite hughes1980
-/// @param a velocity gradient times step [-]; its eigenvalues stay away from 2
-template <class Real>
-[[nodiscard]] constexpr Tensor<Real> midpoint_increment(const Tensor<Real>& a) noexcept {
-  const Tensor<Real> m = isotropic(Real(1.0)) - Real(0.5) * a;
-  Tensor<Real> cofactor;  // transposed: inverse times determinant
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t i1 = (i + 1) % 3;
-    const std::size_t i2 = (i + 2) % 3;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::size_t j1 = (j + 1) % 3;
-      const std::size_t j2 = (j + 2) % 3;
-      cofactor(j, i) = m(i1, j1) * m(i2, j2) - m(i1, j2) * m(i2, j1);
-    }
-  }
-  const Real determinant = m(0, 0) * cofactor(0, 0) + m(0, 1) * cofactor(1, 0) + m(0, 2) * cofactor(2, 0);
-  // (1 - A/2)^-1 (1 + A/2) = 2 (1 - A/2)^-1 - 1
-  return (2.0 / determinant) * cofactor - isotropic(Real(1.0));
-}
-
-/// A symmetric tensor carried along by a velocity gradient over a step, f a f^T with the f of
-/// `midpoint_increment`.  Eq. (R18)
-template <class Real>
-[[nodiscard]] constexpr Symmetric<Real> carried(const Symmetric<Real>& a, const Tensor<Real>& gradient,
-                                                const Real& dt) noexcept {
-  return symmetric(carried_by(midpoint_increment(dt * gradient), a.tensor()));
 }
 
 }  // namespace scree::rheology

@@ -3,8 +3,8 @@
 #include <scree/rheology/breakage_return.hpp>
 #include <scree/rheology/concepts.hpp>
 #include <scree/rheology/elementary.hpp>
-#include <scree/rheology/hencky.hpp>
 #include <scree/rheology/kinematics.hpp>
+#include <scree/rheology/logarithmic_strain.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
 #include <array>
@@ -22,7 +22,7 @@ namespace scree::rheology {
 /// A step is solved backward in time, so that B neither falls nor exceeds 1 in a step of any length. The
 /// volume of the elastic strain is that of the density less what was compacted for good; pulled apart, grains
 /// bear nothing until they are as dense again as where they let go.
-/// @see Eqs. (R18), (R21) and (R110) to (R119), from Einav (2007), \cite einav2007, \cite einav2007b
+/// @see Eqs. (R21), (R110) to (R119) and (R183), from Einav (2007), \cite einav2007, \cite einav2007b
 struct Breakage {
   static constexpr std::string_view name = "breakage";
   static constexpr std::string_view summary = "grains that are crushed, and become finer";
@@ -34,21 +34,21 @@ struct Breakage {
   static constexpr std::array<InputColumn, 0> inputs{};
   template <class Real, template <class> class Form>
   struct Memory {
-    Form<Real> stretch;  ///< b, elastic left Cauchy-Green tensor, of determinant 1 [-]
-    Real compaction;     ///< ln(density/rho_0) at which the pressure vanishes [-]
-    Real breakage;       ///< B [-]
+    Form<Real> strain;  ///< elastic logarithmic strain, of trace 0 [-]
+    Real compaction;    ///< ln(density/rho_0) at which the pressure vanishes [-]
+    Real breakage;      ///< B [-]
   };
   template <class Real>
   using State = Memory<Real, Symmetric>;
   template <class Real>
   using PlaneState = Memory<Real, PlaneSymmetric>;
   static constexpr std::array<StateColumn, 8> states{
-      {{"elastic_stretch_xx", "-", 1},
-       {"elastic_stretch_yy", "-", 1},
-       {"elastic_stretch_zz", "-", 1},
-       {"elastic_stretch_xy", "-"},
-       {"elastic_stretch_xz", "-"},
-       {"elastic_stretch_yz", "-"},
+      {{"elastic_strain_xx", "-"},
+       {"elastic_strain_yy", "-"},
+       {"elastic_strain_zz", "-"},
+       {"elastic_strain_xy", "-"},
+       {"elastic_strain_xz", "-"},
+       {"elastic_strain_yz", "-"},
        {"compaction", "-", 0, Interval{.upper = 1, .is_open = false}},
        {"breakage", "-", 0, Interval{.upper = 1}}}};
   static constexpr std::array<std::size_t, 6> plane_states{0, 1, 2, 3, 6, 7};
@@ -92,7 +92,7 @@ struct Breakage {
     const double shape_unit = strain_unit * std::sqrt(bulk_modulus / (3 * shear_modulus));
     const Real compression = deformation.density * (1 / density);  // 1/J
     const Real total = elementary::log(compression);
-    const Form<Real> strain = hencky_strain(carried(old.stretch, deformation.velocity_gradient, dt));
+    const Form<Real> strain = trial_strain(old.strain, deformation.velocity_gradient, dt);
     const Real size = sqrt((2.0 / 3) * squared_norm(strain));
     const BreakageState<Real> trial{(total - old.compaction) * (1 / strain_unit), size * (1 / shape_unit),
                                     old.breakage};
@@ -104,8 +104,7 @@ struct Breakage {
     const Form<Real> shear = (softened * (2 * shear_modulus)) * elastic;
     const Real p = softened * (bulk_modulus * strain_unit) * end.volume;
     const Real compaction = old.compaction + (trial.volume - end.volume) * strain_unit;
-    return {
-        shear.tensor() - isotropic(p), {left_cauchy_green(elastic), compaction, end.breakage}, end.unsolved};
+    return {shear.tensor() - isotropic(p), {elastic, compaction, end.breakage}, end.unsolved};
   }
 
   /// Speed of pressure waves [m/s] of the elastic material, as broken as it is, and no viscosity.  Eq. (R21)

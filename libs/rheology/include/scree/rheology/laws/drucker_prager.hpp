@@ -2,8 +2,8 @@
 
 #include <scree/rheology/concepts.hpp>
 #include <scree/rheology/elementary.hpp>
-#include <scree/rheology/hencky.hpp>
 #include <scree/rheology/kinematics.hpp>
+#include <scree/rheology/logarithmic_strain.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
 #include <array>
@@ -18,9 +18,9 @@ namespace scree::rheology {
 ///
 /// The volume of the elastic strain is that of the material itself, which is what the volume correction of
 /// Tampubolon et al. amounts to: sand that was pulled apart bears load again at the density where it let go,
-/// not before. So the memory is the elastic strain at constant volume, as a left Cauchy-Green tensor.
-/// @see Eqs. (R2), (R5), (R18) and (R22) to (R25), from Klar et al. (2016), \cite klar2016, and Tampubolon et
-/// al. (2017), \cite tampubolon2017
+/// not before. So the memory is the elastic strain at constant volume.
+/// @see Eqs. (R2), (R5), (R22) to (R25) and (R183), from Klar et al. (2016), \cite klar2016, and Tampubolon
+/// et al. (2017), \cite tampubolon2017
 struct DruckerPrager {
   static constexpr std::string_view name = "drucker_prager";
   static constexpr std::string_view summary = "cohesionless sand at large strain, without rate";
@@ -30,15 +30,15 @@ struct DruckerPrager {
   struct Input {};
   static constexpr std::array<InputColumn, 0> inputs{};
   template <class Real>
-  using State = Symmetric<Real>;  ///< b, elastic left Cauchy-Green tensor, of determinant 1 [-]
+  using State = Symmetric<Real>;  ///< elastic logarithmic strain, of trace 0 [-]
   template <class Real>
   using PlaneState = PlaneSymmetric<Real>;
-  static constexpr std::array<StateColumn, 6> states{{{"elastic_stretch_xx", "-", 1},
-                                                      {"elastic_stretch_yy", "-", 1},
-                                                      {"elastic_stretch_zz", "-", 1},
-                                                      {"elastic_stretch_xy", "-"},
-                                                      {"elastic_stretch_xz", "-"},
-                                                      {"elastic_stretch_yz", "-"}}};
+  static constexpr std::array<StateColumn, 6> states{{{"elastic_strain_xx", "-"},
+                                                      {"elastic_strain_yy", "-"},
+                                                      {"elastic_strain_zz", "-"},
+                                                      {"elastic_strain_xy", "-"},
+                                                      {"elastic_strain_xz", "-"},
+                                                      {"elastic_strain_yz", "-"}}};
   static constexpr std::array<std::size_t, 4> plane_states{0, 1, 2, 3};
 
   double friction;       ///< shear stress per pressure at yield [-], Eq. (R25)
@@ -68,13 +68,15 @@ struct DruckerPrager {
     const Real compression = deformation.density * (1 / density);  // 1/J
     const Real p = bulk_modulus * elementary::log(compression);    // J times that of Cauchy
     const Real is_connected = select(p < 0.0, Real(0.0), Real(1.0));
-    const Form<Real> trial = hencky_strain(carried(old, deformation.velocity_gradient, dt));
-    const Real tau_trial = shear_modulus * sqrt(2.0 * squared_norm(trial));
+    const Form<Real> trial = trial_strain(old, deformation.velocity_gradient, dt);
     const Real strength = friction * contact_pressure(p);
-    const Real kept = is_connected * select(tau_trial <= strength, Real(1.0), strength / tau_trial);
+    const Real tau_squared = (2 * shear_modulus * shear_modulus) * squared_norm(trial);
+    const auto is_elastic = tau_squared <= strength * strength;
+    const Real share = strength / tau_squared * sqrt(tau_squared);
+    const Real kept = is_connected * select(is_elastic, Real(1.0), share);
     const Form<Real> strain = kept * trial;
     const Form<Real> shear = (2.0 * shear_modulus * compression) * strain;
-    return {shear.tensor() - isotropic<Real>(is_connected * compression * p), left_cauchy_green(strain)};
+    return {shear.tensor() - isotropic<Real>(is_connected * compression * p), strain};
   }
 
   /// Speed of pressure waves [m/s] of the unloaded material, and no viscosity.  Eq. (R21)

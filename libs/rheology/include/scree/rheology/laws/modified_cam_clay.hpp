@@ -3,8 +3,8 @@
 #include <scree/rheology/cam_clay_return.hpp>
 #include <scree/rheology/concepts.hpp>
 #include <scree/rheology/elementary.hpp>
-#include <scree/rheology/hencky.hpp>
 #include <scree/rheology/kinematics.hpp>
+#include <scree/rheology/logarithmic_strain.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
 #include <array>
@@ -18,10 +18,10 @@ namespace scree::rheology {
 /// pressure, an elliptic yield surface that grows as it is compacted by flow and shrinks as it dilates, until
 /// it flows at constant volume in the critical state, q = M p.
 ///
-/// Its memory is the elastic strain at constant volume, as a left Cauchy-Green tensor, and the
+/// Its memory is the elastic strain at constant volume and the
 /// preconsolidation pressure, from which the volume of flow follows. The shear modulus is constant: a
 /// constant Poisson's ratio would make one in proportion to pressure, from which cycles of load gain work.
-/// @see Eqs. (R18) and (R62) to (R69), from Roscoe & Burland (1968), \cite roscoe1968, with the logarithmic
+/// @see Eqs. (R62) to (R69) and (R183), from Roscoe & Burland (1968), \cite roscoe1968, with the logarithmic
 /// compression of Butterfield (1979), \cite butterfield1979
 struct ModifiedCamClay {
   static constexpr std::string_view name = "modified_cam_clay";
@@ -34,19 +34,19 @@ struct ModifiedCamClay {
   static constexpr std::array<InputColumn, 0> inputs{};
   template <class Real, template <class> class Form>
   struct Memory {
-    Form<Real> stretch;     ///< b, elastic left Cauchy-Green tensor, of determinant 1 [-]
+    Form<Real> strain;      ///< elastic logarithmic strain, of trace 0 [-]
     Real preconsolidation;  ///< p_c over `preconsolidation_pressure` [-]
   };
   template <class Real>
   using State = Memory<Real, Symmetric>;
   template <class Real>
   using PlaneState = Memory<Real, PlaneSymmetric>;
-  static constexpr std::array<StateColumn, 7> states{{{"elastic_stretch_xx", "-", 1},
-                                                      {"elastic_stretch_yy", "-", 1},
-                                                      {"elastic_stretch_zz", "-", 1},
-                                                      {"elastic_stretch_xy", "-"},
-                                                      {"elastic_stretch_xz", "-"},
-                                                      {"elastic_stretch_yz", "-"},
+  static constexpr std::array<StateColumn, 7> states{{{"elastic_strain_xx", "-"},
+                                                      {"elastic_strain_yy", "-"},
+                                                      {"elastic_strain_zz", "-"},
+                                                      {"elastic_strain_xy", "-"},
+                                                      {"elastic_strain_xz", "-"},
+                                                      {"elastic_strain_yz", "-"},
                                                       {"preconsolidation", "-", 1, Interval{}}}};
   static constexpr std::array<std::size_t, 5> plane_states{0, 1, 2, 3, 6};
 
@@ -91,7 +91,7 @@ struct ModifiedCamClay {
                                                           Real dt) const noexcept {
     using std::sqrt;
     const Real compression = deformation.density * (1 / density);  // 1/J
-    const Form<Real> trial = hencky_strain(carried(old.stretch, deformation.velocity_gradient, dt));
+    const Form<Real> trial = trial_strain(old.strain, deformation.velocity_gradient, dt);
     const Real G = shear_modulus * compression;
     const Real q_trial = G * sqrt(6.0 * squared_norm(trial));
     const Real p_c = preconsolidation_pressure * old.preconsolidation;
@@ -110,7 +110,7 @@ struct ModifiedCamClay {
     const Real preconsolidation = old.preconsolidation * select(yields, hardening, Real(1.0));
     const Form<Real> strain = kept * trial;
     return {((2.0 * G) * strain).tensor() - isotropic(p),
-            {left_cauchy_green(strain), preconsolidation},
+            {strain, preconsolidation},
             select(yields, flowing.unsolved, Real(0.0))};
   }
 

@@ -3,8 +3,8 @@
 #include <scree/rheology/concepts.hpp>
 #include <scree/rheology/eigen_symmetric.hpp>
 #include <scree/rheology/elementary.hpp>
-#include <scree/rheology/hencky.hpp>
 #include <scree/rheology/kinematics.hpp>
+#include <scree/rheology/logarithmic_strain.hpp>
 #include <scree/rheology/mohr_coulomb_return.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 
@@ -19,10 +19,10 @@ namespace scree::rheology {
 /// shear stress on any plane up to cohesion plus friction times pressure, no principal stress above a
 /// tension, flow that dilates by an angle of its own.
 ///
-/// Its memory is the elastic strain at constant volume, as a left Cauchy-Green tensor, and the volume that
+/// Its memory is the elastic strain at constant volume and the volume that
 /// shear has added. What it is pulled apart by beyond that is not remembered: it bears load again at the
 /// density where it let go, not before.
-/// @see Eqs. (R18), (R21) and (R50) to (R61), after Clausen et al. (2007), \cite clausen2007
+/// @see Eqs. (R21), (R50) to (R61) and (R183), after Clausen et al. (2007), \cite clausen2007
 struct MohrCoulomb {
   static constexpr std::string_view name = "mohr_coulomb";
   static constexpr std::string_view summary =
@@ -34,15 +34,15 @@ struct MohrCoulomb {
   static constexpr std::array<InputColumn, 0> inputs{};
   template <class Real>
   struct State {
-    Real xx, yy, zz, xy, xz, yz;  ///< b, elastic left Cauchy-Green tensor, of determinant 1 [-]
+    Real xx, yy, zz, xy, xz, yz;  ///< elastic logarithmic strain, of trace 0 [-]
     Real dilation;                ///< logarithmic volume that flow has added [-]
   };
-  static constexpr std::array<StateColumn, 7> states{{{"elastic_stretch_xx", "-", 1},
-                                                      {"elastic_stretch_yy", "-", 1},
-                                                      {"elastic_stretch_zz", "-", 1},
-                                                      {"elastic_stretch_xy", "-"},
-                                                      {"elastic_stretch_xz", "-"},
-                                                      {"elastic_stretch_yz", "-"},
+  static constexpr std::array<StateColumn, 7> states{{{"elastic_strain_xx", "-"},
+                                                      {"elastic_strain_yy", "-"},
+                                                      {"elastic_strain_zz", "-"},
+                                                      {"elastic_strain_xy", "-"},
+                                                      {"elastic_strain_xz", "-"},
+                                                      {"elastic_strain_yz", "-"},
                                                       {"dilation", "-", 0, Interval{-1, 1}}}};
 
   double friction;          ///< tangent of the friction angle phi [-]
@@ -83,28 +83,29 @@ struct MohrCoulomb {
                                                    const Input<Real>& /*input*/, const State<Real>& old,
                                                    Real dt) const noexcept {
     const Real compression = deformation.density * (1 / density);  // 1/J
-    const Symmetric<Real> b{old.xx, old.yy, old.zz, old.xy, old.xz, old.yz};
-    const Tensor<Real> f = midpoint_increment(dt * deformation.velocity_gradient);
-    HenckyStrain<Real> strain = hencky_strain(descending(eigen_symmetric(carried_by(f, b.tensor()))));
+    const Symmetric<Real> e{old.xx, old.yy, old.zz, old.xy, old.xz, old.yz};
+    const Symmetric<Real> elastic = trial_strain(e, deformation.velocity_gradient, dt);
+    auto [strain, axes] = descending(eigen_symmetric(elastic.tensor()));
     const Real mean_trial = bulk_modulus * (-elementary::log(compression) - old.dilation);
     Principal<Real> trial{};  // J times that of Cauchy
-    for (std::size_t i = 0; i < 3; ++i) trial[i] = 2.0 * shear_modulus * strain.values[i] + mean_trial;
+    for (std::size_t i = 0; i < 3; ++i) trial[i] = 2.0 * shear_modulus * strain[i] + mean_trial;
     const Strength strength = strength_at_rest();
     const Real tension = strength.tension / compression;
     const Principal<Real> tau =
         mohr_coulomb_return(trial, flow(), Real(strength.limit / compression), tension, stress_rounding());
 
-    const Real mean_stress = (tau[0] + tau[1] + tau[2]) * (1.0 / 3.0);
     const Real is_closed = select(tension - stress_rounding() < tau[2], Real(0.0), Real(1.0));
+    const Real mean_stress = (tau[0] + tau[1] + tau[2]) * (1.0 / 3.0);
+    const auto is_elastic = tau[0] == trial[0] && tau[1] == trial[1] && tau[2] == trial[2];
     const Real lost = trial[0] - tau[0] + (trial[1] - tau[1]) + (trial[2] - tau[2]);  // 0 if elastic
     const Real dilation = old.dilation + is_closed * lost * (1 / (3 * bulk_modulus));
     Principal<Real> stress{};
     for (std::size_t i = 0; i < 3; ++i) {
       stress[i] = compression * tau[i];
-      strain.values[i] = (tau[i] - mean_stress) * (0.5 / shear_modulus);
+      strain[i] = select(is_elastic, strain[i], (tau[i] - mean_stress) * (0.5 / shear_modulus));
     }
-    const Symmetric<Real> s = left_cauchy_green(strain);
-    return {composed(stress, strain.axes), {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, dilation}};
+    const Symmetric<Real> s = symmetric(composed(strain, axes));
+    return {composed(stress, axes), {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, dilation}};
   }
 
   /// Speed of pressure waves [m/s] of the unloaded material, and no viscosity.  Eq. (R21)
