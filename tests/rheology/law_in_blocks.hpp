@@ -32,6 +32,7 @@ struct LawInBlocks {
   std::vector<double> inputs;                    ///< of an ordinary point
   std::vector<double> states;                    ///< of material that has not been deformed yet
   std::vector<std::string_view> units_of_state;  ///< of each state
+  bool remembers_strain = false;                 ///< an elastic one, in its first six states
   bool has_plane_form = false;                   ///< and so rounds otherwise in a plane
   std::function<bool(InstructionSet)> has_kernel;
   /// Updates points over a step [s], by the kernel for a set; in a plane only the components that it has are

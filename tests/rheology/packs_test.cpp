@@ -104,7 +104,7 @@ TEST(TrialStrainInPacks, HasTheBitsOfDoubleInEachLane) {
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const double size = lane % 2 == 0 ? 0.01 : 0.2;
       gradient.components[i][lane] = gradients[lane + 1].components[i];
-      strain.components[i][lane] = size * symmetric_part(gradients[lane]).components[i];
+      strain.components[i][lane] = size * deviator(symmetric_part(gradients[lane])).components[i];
     }
   }
 

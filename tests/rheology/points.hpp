@@ -81,6 +81,11 @@ struct Point {
   return result;
 }
 
+/// (a - a^T)/2: the spin W of a velocity gradient.
+[[nodiscard]] inline Tensor<double> skew_part(const Tensor<double>& a) {
+  return 0.5 * (a - transposed(a));
+}
+
 /// dv_x/dy alone [1/s].
 [[nodiscard]] inline Tensor<double> simple_shear(double rate) {
   Tensor<double> gradient;

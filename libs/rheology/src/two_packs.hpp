@@ -5,7 +5,6 @@
 #include <scree/rheology/elementary.hpp>
 
 #include <cmath>
-#include <utility>
 
 // Two packs as one number. A law is a chain of operations that wait for each other; two such chains side by
 // side fill each other's waits. A plain pair, whose halves stay in registers: `fixed_size_simd` keeps its

@@ -35,6 +35,16 @@ template <class Condition, class Real>
   }
 }
 
+/// Whether a condition is true, of a pack in any of its lanes.
+template <class Condition>
+[[nodiscard]] constexpr bool in_any_lane(const Condition& condition) noexcept {
+  if constexpr (std::is_same_v<Condition, bool>) {
+    return condition;
+  } else {
+    return any_of(condition);
+  }
+}
+
 /// A 3x3 tensor of pointwise physics, whatever the dimension of the mesh: plane strain and a 1D column
 /// embed exactly. Real is double, a pack of doubles or a dual number.
 template <class Real>

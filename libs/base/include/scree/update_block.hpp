@@ -63,7 +63,7 @@ template <class Aggregate, class Real, class Pointer, std::size_t N>
 template <class Real, class Aggregate, std::size_t N>
 void store_members(const Aggregate& aggregate, const std::array<double*, N>& columns, Index p) noexcept {
   static_assert(N == 0 || sizeof(Aggregate) == N * sizeof(Real));
-  const auto* members = reinterpret_cast<const Real*>(&aggregate);
+  const auto* members = reinterpret_cast<const Real*>(&aggregate);  // one after another, as asserted
   [&]<std::size_t... I>(std::index_sequence<I...>) {
     ((columns[I] != nullptr ? store(members[I], columns[I] + p) : void()), ...);
   }

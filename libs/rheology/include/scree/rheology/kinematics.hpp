@@ -10,6 +10,8 @@ template <class Real>
 struct Symmetric {
   Real xx, yy, zz, xy, xz, yz;
 
+  /// Itself: what `PlaneSymmetric` keeps of it, in the form of three dimensions.
+  [[nodiscard]] static constexpr Symmetric of(const Symmetric& a) noexcept { return a; }
   [[nodiscard]] constexpr Tensor<Real> tensor() const noexcept {
     return {{xx, xy, xz, xy, yy, yz, xz, yz, zz}};
   }
@@ -28,13 +30,6 @@ struct Symmetric {
 template <class Real>
 [[nodiscard]] constexpr Symmetric<Real> symmetric(const Tensor<Real>& a) noexcept {
   return {a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(0, 2), a(1, 2)};
-}
-
-/// a - tr(a)/3 1.
-template <class Real>
-[[nodiscard]] constexpr Symmetric<Real> deviator(const Symmetric<Real>& a) noexcept {
-  const Real mean = (a.xx + a.yy + a.zz) * (1.0 / 3.0);
-  return {a.xx - mean, a.yy - mean, a.zz - mean, a.xy, a.xz, a.yz};
 }
 
 /// D', the rate of deformation at constant volume, of a velocity gradient.
@@ -136,16 +131,6 @@ template <class Real>
 [[nodiscard]] constexpr Symmetric<Real> turned(const Symmetric<Real>& a, const Tensor<Real>& gradient,
                                                const Real& dt) noexcept {
   return turned_about(half_spin(gradient, dt), a);
-}
-
-/// (a - a^T)/2: the spin W of a velocity gradient.
-template <class Real>
-[[nodiscard]] constexpr Tensor<Real> skew_part(const Tensor<Real>& a) noexcept {
-  Tensor<Real> result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) result(i, j) = 0.5 * (a(i, j) - a(j, i));
-  }
-  return result;
 }
 
 /// The matrix product a b.

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 
 // The elastic logarithmic (Hencky) strain e at constant volume, carried from step to step by itself: no law
 // that keeps it needs the left Cauchy-Green tensor exp(2 e), nor a logarithm of one.
@@ -23,15 +22,6 @@ inline constexpr double reach_of_spin_series = 1.0 / 32;
 /// g(x) = (x coth x - 1)/x^2, by powers of x^2.  Eq. (R184)
 inline constexpr std::array<double, 6> spin_series{1.0 / 3,     -1.0 / 45,   2.0 / 945,
                                                    -1.0 / 4725, 2.0 / 93555, -1382.0 / 638512875};
-
-template <class Condition>
-[[nodiscard]] bool in_any_lane(const Condition& condition) noexcept {
-  if constexpr (std::is_same_v<Condition, bool>) {
-    return condition;
-  } else {
-    return any_of(condition);
-  }
-}
 
 /// g(x) by its series.
 template <class Real>
@@ -66,7 +56,7 @@ template <class Real>
 
 /// a times the axis.
 template <class Real>
-[[nodiscard]] constexpr Axis<Real> product(const Symmetric<Real>& a, const Axis<Real>& axis) noexcept {
+[[nodiscard]] constexpr Axis<Real> times(const Symmetric<Real>& a, const Axis<Real>& axis) noexcept {
   return {a.xx * axis.x + a.xy * axis.y + a.xz * axis.z, a.xy * axis.x + a.yy * axis.y + a.yz * axis.z,
           a.xz * axis.x + a.yz * axis.y + a.zz * axis.z};
 }
@@ -112,10 +102,10 @@ struct NearSpin {
   }
 
   [[nodiscard]] Axis<Real> operator()(const Axis<Real>& axis) const noexcept {
-    const Axis<Real> once = product(squared_gaps, axis);
+    const Axis<Real> once = times(squared_gaps, axis);
     const Axis<Real> inner{of_first * axis.x + of_square * once.x, of_first * axis.y + of_square * once.y,
                            of_first * axis.z + of_square * once.z};
-    const Axis<Real> outer = product(squared_gaps, inner);
+    const Axis<Real> outer = times(squared_gaps, inner);
     return {of_unit * axis.x + outer.x, of_unit * axis.y + outer.y, of_unit * axis.z + outer.z};
   }
 };
@@ -140,9 +130,9 @@ struct SpinByAxes {
   }
 };
 
-/// How much of what a turn by half a step changes the logarithmic spin by is counted: all but the square of
-/// the step's strain, and of long steps less than would turn the spin round: |change| <= sqrt(2) |half|
-/// |spin|.
+/// How much is counted of what half a step's turn changes the logarithmic spin by: all but the square of the
+/// step's strain, and of long steps too little to turn the spin round, for the change along the spin is at
+/// most sqrt(2) |half| of it.
 template <class Real>
 [[nodiscard]] constexpr Real share_of_change(const Real& half_squared) noexcept {
   return 1.0 / (1.0 + half_squared);
@@ -167,7 +157,9 @@ template <class Real, class Factor>
 
 /// The elastic logarithmic strain [-] at the end of a step if all of the step is elastic: half of the step's
 /// deviatoric strain, a turn by the logarithmic spin amid the turn, the other half. Of second order in the
-/// step; exact where the axes of strain and flow agree, and in a rotation; of trace 0 like `old`.
+/// step; exact in a flow without spin along the axes of the strain. A spin alone turns it by the rotation of
+/// Eq. (R18).
+/// @param old strain before the step, of trace 0 as the result is  @param gradient of velocity [1/s]
 /// @see Eqs. (R23) and (R183) to (R185), after Xiao et al. (1997), \cite xiao1997
 template <class Real>
 [[nodiscard]] Symmetric<Real> trial_strain(const Symmetric<Real>& old, const Tensor<Real>& gradient,
@@ -177,41 +169,33 @@ template <class Real>
   const Axis<Real> spin = half_spin(gradient, dt);
   Axis<Real> axis = detail::logarithmic_spin(strained, half, spin, detail::NearSpin<Real>{strained});
   const auto is_far = !(2.0 * squared_norm(strained) <= detail::reach_of_spin_series);
-  if (detail::in_any_lane(is_far)) [[unlikely]] {
+  if (in_any_lane(is_far)) [[unlikely]] {
     const auto far = detail::logarithmic_spin(strained, half, spin, detail::SpinByAxes<Real>{strained});
     axis = {select(is_far, far.x, axis.x), select(is_far, far.y, axis.y), select(is_far, far.z, axis.z)};
   }
   return turned_about(axis, strained) + half;
 }
 
-/// The same in a plane flow, where one gap and one axis are left.
+/// The same in a plane flow, where one gap and one axis are left.  Eq. (R187)
 template <class Real>
 [[nodiscard]] PlaneSymmetric<Real> trial_strain(const PlaneSymmetric<Real>& old, const Tensor<Real>& gradient,
                                                 const Real& dt) noexcept {
-  // Of the plane's deviator, half the difference of xx and yy, and xy.
   const Real quarter = 0.25 * dt;
-  const Real half_difference = quarter * (gradient(0, 0) - gradient(1, 1));
-  const Real half_xy = quarter * (gradient(0, 1) + gradient(1, 0));
-  const Real difference = 0.5 * (old.xx - old.yy) + half_difference;
-  const Real xy = old.xy + half_xy;
-  const Real factor = detail::spin_factor(Real(4.0 * (difference * difference + xy * xy)));
-  const Real excess = factor * (2.0 * (half_difference * xy - difference * half_xy));
-  const Real growth = factor * (4.0 * (half_difference * difference + half_xy * xy));
+  const PlaneDeviator<Real> half{quarter * (gradient(0, 0) - gradient(1, 1)),
+                                 quarter * (gradient(0, 1) + gradient(1, 0))};
   const Real half_zz = (1.0 / 6.0) * dt * (2.0 * gradient(2, 2) - (gradient(0, 0) + gradient(1, 1)));
   const Real half_squared =
-      2.0 * (half_difference * half_difference + half_xy * half_xy) + 1.5 * (half_zz * half_zz);
-  // The axis is a quotient n/m: a turn by twice 2 atan(n/m).
+      2.0 * (half.difference * half.difference + half.xy * half.xy) + 1.5 * (half_zz * half_zz);
+  const PlaneDeviator<Real> e{0.5 * (old.xx - old.yy) + half.difference, old.xy + half.xy};
+  const Real factor = detail::spin_factor(Real(4.0 * (e.difference * e.difference + e.xy * e.xy)));
+  const Real excess = factor * (2.0 * (half.difference * e.xy - e.difference * half.xy));
+  const Real change = factor * (4.0 * (half.difference * e.difference + half.xy * e.xy));
   const Real m = 1.0 + half_squared;
-  const Real n = (quarter * (gradient(1, 0) - gradient(0, 1)) - excess) * (m - growth);
-  const Real nn = n * n;
-  const Real mm = m * m;
-  const Real scale = 1.0 / ((mm + nn) * (mm + nn));
-  const Real odd = 4.0 * (n * m) * (mm - nn);
-  const Real even = (mm - nn) * (mm - nn) - 4.0 * (mm * nn);
-  const Real new_difference = scale * (even * difference - odd * xy) + half_difference;
-  const Real new_xy = scale * (odd * difference + even * xy) + half_xy;
+  const Real n = (half_spin(gradient, dt).z - excess) * (m - change);
+  const PlaneDeviator<Real> turned = turned_about(n, m, e);
+  const Real difference = turned.difference + half.difference;
   const Real zz = old.zz + 2.0 * half_zz;
-  return {new_difference - 0.5 * zz, -0.5 * zz - new_difference, zz, new_xy};
+  return {difference - 0.5 * zz, -0.5 * zz - difference, zz, turned.xy + half.xy};
 }
 
 }  // namespace scree::rheology

@@ -72,6 +72,7 @@ struct DruckerPrager {
     const Real strength = friction * contact_pressure(p);
     const Real tau_squared = (2 * shear_modulus * shear_modulus) * squared_norm(trial);
     const auto is_elastic = tau_squared <= strength * strength;
+    // The quotient and the root do not wait for each other.
     const Real share = strength / tau_squared * sqrt(tau_squared);
     const Real kept = is_connected * select(is_elastic, Real(1.0), share);
     const Form<Real> strain = kept * trial;

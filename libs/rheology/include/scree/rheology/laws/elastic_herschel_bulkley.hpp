@@ -4,6 +4,7 @@
 #include <scree/rheology/elementary.hpp>
 #include <scree/rheology/kinematics.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
+#include <scree/rheology/plane_symmetric.hpp>
 
 #include <array>
 #include <cmath>
@@ -30,12 +31,15 @@ struct ElasticHerschelBulkley {
   static constexpr std::array<InputColumn, 0> inputs{};
   template <class Real>
   using State = Symmetric<Real>;  ///< deviator of the Cauchy stress [Pa]
+  template <class Real>
+  using PlaneState = PlaneSymmetric<Real>;
   static constexpr std::array<StateColumn, 6> states{{{"deviatoric_stress_xx", "Pa"},
                                                       {"deviatoric_stress_yy", "Pa"},
                                                       {"deviatoric_stress_zz", "Pa"},
                                                       {"deviatoric_stress_xy", "Pa"},
                                                       {"deviatoric_stress_xz", "Pa"},
                                                       {"deviatoric_stress_yz", "Pa"}}};
+  static constexpr std::array<std::size_t, 4> plane_states{0, 1, 2, 3};
 
   double consistency;    ///< K [Pa s^n]
   double exponent;       ///< n [-]; 1 is Bingham's fluid, in closed form
@@ -59,32 +63,32 @@ struct ElasticHerschelBulkley {
   }};
 
   /// Cauchy stress and its deviator at the end of the step [Pa].
-  template <class Real>
-  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
-                                                   const Input<Real>& /*input*/, const State<Real>& old,
-                                                   Real dt) const noexcept {
+  template <class Real, template <class> class Form>
+  [[nodiscard]] Response<Real, Form<Real>> update(const Deformation<Real>& deformation,
+                                                  const Input<Real>& /*input*/, const Form<Real>& old,
+                                                  Real dt) const noexcept {
     using std::sqrt;
     const Tensor<Real>& gradient = deformation.velocity_gradient;
     const Real p = pressure(deformation.density, density, bulk_modulus);
     const Real is_connected = select(p < 0.0, Real(0.0), Real(1.0));
-    const Symmetric<Real> half = Real(shear_modulus * dt) * deviatoric_rate(gradient);
-    const Symmetric<Real> trial = turned(old + half, gradient, dt) + half;
+    const Form<Real> half = Form<Real>::of(Real(shear_modulus * dt) * deviatoric_rate(gradient));
+    const Form<Real> trial = turned(old + half, gradient, dt) + half;
     const Real tau_trial = sqrt(0.5 * squared_norm(trial));
     const Real excess = tau_trial - yield_stress;
     const Share<Real> left = share_left(excess, Real(shear_modulus * dt));
     const Real kept = select(excess <= 0.0, Real(1.0), (yield_stress + excess * left.value) / tau_trial);
     const Real share = is_connected * kept;
-    // Made twice, not copied: a copy of the state would go through memory in packs.
-    return {(share * trial).tensor() - isotropic<Real>(is_connected * p), share * trial,
+    const Form<Real> deviator = share * trial;
+    return {deviator.tensor() - isotropic<Real>(is_connected * p), deviator,
             select(excess <= 0.0, Real(0.0), left.unsolved)};
   }
 
   /// Speed of pressure waves [m/s], Eq. (R21). No viscosity bounds a step, for flow only lowers what the
   /// elastic solid would answer.
-  template <class Real>
+  template <class Real, template <class> class Form>
   [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& /*deformation*/,
                                           const Input<Real>& /*input*/,
-                                          const State<Real>& /*state*/) const noexcept {
+                                          const Form<Real>& /*state*/) const noexcept {
     return {wave_speed(density, bulk_modulus + 4 * shear_modulus / 3), 0};
   }
 
@@ -119,6 +123,6 @@ struct ElasticHerschelBulkley {
     return {elementary::exp(z), select(size <= tolerance, Real(0.0), size)};
   }
 };
-static_assert(DescribedLaw<ElasticHerschelBulkley>);
+static_assert(DescribedLaw<ElasticHerschelBulkley> && HasPlaneForm<ElasticHerschelBulkley>);
 
 }  // namespace scree::rheology

@@ -4,6 +4,7 @@
 #include <scree/rheology/inertial_number.hpp>
 #include <scree/rheology/kinematics.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
+#include <scree/rheology/plane_symmetric.hpp>
 
 #include <array>
 #include <cmath>
@@ -32,12 +33,15 @@ struct GranularElastoviscoplastic {
   static constexpr std::array<InputColumn, 1> inputs{{{"grain_size", "m", 1e-3}}};
   template <class Real>
   using State = Symmetric<Real>;  ///< deviator of the Cauchy stress [Pa]
+  template <class Real>
+  using PlaneState = PlaneSymmetric<Real>;
   static constexpr std::array<StateColumn, 6> states{{{"deviatoric_stress_xx", "Pa"},
                                                       {"deviatoric_stress_yy", "Pa"},
                                                       {"deviatoric_stress_zz", "Pa"},
                                                       {"deviatoric_stress_xy", "Pa"},
                                                       {"deviatoric_stress_xz", "Pa"},
                                                       {"deviatoric_stress_yz", "Pa"}}};
+  static constexpr std::array<std::size_t, 4> plane_states{0, 1, 2, 3};
 
   double mu_s;           ///< friction at which flow begins [-]
   double mu_2;           ///< friction of fast flow [-]
@@ -68,29 +72,29 @@ struct GranularElastoviscoplastic {
   [[nodiscard]] constexpr double yield_friction() const noexcept { return mu_s; }
 
   /// Cauchy stress and its deviator at the end of the step [Pa].
-  template <class Real>
-  [[nodiscard]] Response<Real, State<Real>> update(const Deformation<Real>& deformation,
-                                                   const Input<Real>& input, const State<Real>& old,
-                                                   Real dt) const noexcept {
+  template <class Real, template <class> class Form>
+  [[nodiscard]] Response<Real, Form<Real>> update(const Deformation<Real>& deformation,
+                                                  const Input<Real>& input, const Form<Real>& old,
+                                                  Real dt) const noexcept {
     using std::sqrt;
     const Tensor<Real>& gradient = deformation.velocity_gradient;
     const Real p = pressure(deformation.density, density, bulk_modulus);
     const Real is_connected = select(p < 0.0, Real(0.0), Real(1.0));
-    const Symmetric<Real> half = Real(shear_modulus * dt) * deviatoric_rate(gradient);
-    const Symmetric<Real> trial = turned(old + half, gradient, dt) + half;
+    const Form<Real> half = Form<Real>::of(Real(shear_modulus * dt) * deviatoric_rate(gradient));
+    const Form<Real> trial = turned(old + half, gradient, dt) + half;
     const Real tau_trial = sqrt(0.5 * squared_norm(trial));
     const Real kept = share_kept(tau_trial, contact_pressure(p), input.grain_size, dt);
     const Real share = is_connected * kept;
-    // Made twice, not copied: a copy of the state would go through memory in packs.
-    return {(share * trial).tensor() - isotropic<Real>(is_connected * p), share * trial};
+    const Form<Real> deviator = share * trial;
+    return {deviator.tensor() - isotropic<Real>(is_connected * p), deviator};
   }
 
   /// Speed of pressure waves [m/s], Eq. (R21). The viscosity that bounds a step is zero: over a step the
   /// stress changes by at most 2 G D' dt, however slowly the flow would relax it.
-  template <class Real>
+  template <class Real, template <class> class Form>
   [[nodiscard]] Stiffness<Real> stiffness(const Deformation<Real>& /*deformation*/,
                                           const Input<Real>& /*input*/,
-                                          const State<Real>& /*state*/) const noexcept {
+                                          const Form<Real>& /*state*/) const noexcept {
     return {wave_speed(density, bulk_modulus + 4 * shear_modulus / 3), 0};
   }
 
@@ -125,7 +129,7 @@ struct GranularElastoviscoplastic {
     return select(tau_trial <= S_0, Real(1.0), flowing);
   }
 };
-static_assert(DescribedLaw<GranularElastoviscoplastic> && HasStabilityNumber<GranularElastoviscoplastic> &&
-              HasYieldFriction<GranularElastoviscoplastic>);
+static_assert(DescribedLaw<GranularElastoviscoplastic> && HasPlaneForm<GranularElastoviscoplastic> &&
+              HasStabilityNumber<GranularElastoviscoplastic> && HasYieldFriction<GranularElastoviscoplastic>);
 
 }  // namespace scree::rheology

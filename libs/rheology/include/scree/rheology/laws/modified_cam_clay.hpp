@@ -18,9 +18,9 @@ namespace scree::rheology {
 /// pressure, an elliptic yield surface that grows as it is compacted by flow and shrinks as it dilates, until
 /// it flows at constant volume in the critical state, q = M p.
 ///
-/// Its memory is the elastic strain at constant volume and the
-/// preconsolidation pressure, from which the volume of flow follows. The shear modulus is constant: a
-/// constant Poisson's ratio would make one in proportion to pressure, from which cycles of load gain work.
+/// Its memory is the elastic strain at constant volume and the preconsolidation pressure, from which the
+/// volume of flow follows. The shear modulus is constant: a constant Poisson's ratio would make one in
+/// proportion to pressure, from which cycles of load gain work.
 /// @see Eqs. (R62) to (R69) and (R183), from Roscoe & Burland (1968), \cite roscoe1968, with the logarithmic
 /// compression of Butterfield (1979), \cite butterfield1979
 struct ModifiedCamClay {

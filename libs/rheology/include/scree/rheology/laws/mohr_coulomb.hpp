@@ -19,9 +19,8 @@ namespace scree::rheology {
 /// shear stress on any plane up to cohesion plus friction times pressure, no principal stress above a
 /// tension, flow that dilates by an angle of its own.
 ///
-/// Its memory is the elastic strain at constant volume and the volume that
-/// shear has added. What it is pulled apart by beyond that is not remembered: it bears load again at the
-/// density where it let go, not before.
+/// Its memory is the elastic strain at constant volume and the volume that shear has added. What it is pulled
+/// apart by beyond that is not remembered: it bears load again at the density where it let go, not before.
 /// @see Eqs. (R21), (R50) to (R61) and (R183), after Clausen et al. (2007), \cite clausen2007
 struct MohrCoulomb {
   static constexpr std::string_view name = "mohr_coulomb";
@@ -94,8 +93,8 @@ struct MohrCoulomb {
     const Principal<Real> tau =
         mohr_coulomb_return(trial, flow(), Real(strength.limit / compression), tension, stress_rounding());
 
-    const Real is_closed = select(tension - stress_rounding() < tau[2], Real(0.0), Real(1.0));
     const Real mean_stress = (tau[0] + tau[1] + tau[2]) * (1.0 / 3.0);
+    const Real is_closed = select(tension - stress_rounding() < tau[2], Real(0.0), Real(1.0));
     const auto is_elastic = tau[0] == trial[0] && tau[1] == trial[1] && tau[2] == trial[2];
     const Real lost = trial[0] - tau[0] + (trial[1] - tau[1]) + (trial[2] - tau[2]);  // 0 if elastic
     const Real dilation = old.dilation + is_closed * lost * (1 / (3 * bulk_modulus));

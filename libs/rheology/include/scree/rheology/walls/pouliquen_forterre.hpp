@@ -100,23 +100,13 @@ struct PouliquenForterre {
     const Real held = impulse * friction_at_start(input);
     const Real slowest = slowest_speed(input);
     const Real rising = slowed_by_rising(speed - mu_1 * impulse, (mu_2 - mu_1) * impulse, input);
-    if (!somewhere(rising < slowest)) return select(speed <= held, Real(0.0), rising);
+    if (!in_any_lane(rising < slowest)) return select(speed <= held, Real(0.0), rising);
     const Real falling =
         slowest * root_of_falling((speed - held) / slowest, (mu_3 - mu_1) * impulse / slowest);
     return select(speed <= held, Real(0.0), select(rising < slowest, falling, rising));
   }
 
  private:
-  /// Whether a condition is true, of a pack in any of its lanes.
-  template <class Condition>
-  [[nodiscard]] static bool somewhere(const Condition& condition) noexcept {
-    if constexpr (std::is_same_v<Condition, bool>) {
-      return condition;
-    } else {
-      return any_of(condition);
-    }
-  }
-
   /// Speed at Fr = beta [m/s].
   template <class Real>
   [[nodiscard]] Real slowest_speed(const Input<Real>& input) const noexcept {
@@ -151,7 +141,7 @@ struct PouliquenForterre {
     for (int i = 0; i < max_iterations; ++i) {
       const Real fallen = fall * pow(x, Real(weakening));
       const Real next = (rest + (1 - weakening) * fallen) / (1.0 - weakening * fallen / x);
-      const bool is_settled = !somewhere(next < x);
+      const bool is_settled = !in_any_lane(next < x);
       x = next;
       if (is_settled) break;
     }
