@@ -181,11 +181,10 @@ TEST(InitialState, OfAnUnknownNameIsRefused) {
       message_of(column_of(
           1, typical_law<rheology::ModifiedCamClay>() + "[rheology.initial]\npreconsolidatoin = 2\n")),
       "scene.toml:27: [rheology.initial] preconsolidatoin: unknown key, did you mean 'preconsolidation'?");
-  EXPECT_EQ(
-      message_of(column_of(1, typical_law<rheology::ModifiedCamClay>() +
-                                  "[rheology.initial]\nelastic_strain_xx "
-                                  "= 2\n")),
-      "scene.toml:27: [rheology.initial] elastic_strain_xx: unknown key, known here: preconsolidation");
+  EXPECT_EQ(message_of(column_of(1, typical_law<rheology::ModifiedCamClay>() +
+                                        "[rheology.initial]\nelastic_strain_xx "
+                                        "= 2\n")),
+            "scene.toml:27: [rheology.initial] elastic_strain_xx: unknown key, known here: preconsolidation");
 }
 
 TEST(InitialState, OutOfItsRangeIsRefused) {
