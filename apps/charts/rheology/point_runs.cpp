@@ -85,7 +85,8 @@ std::vector<double> integrate(const Point& point, const StiffIntegratorOptions& 
 /// @param steps a multiple of the number of records
 template <class Point>
 std::vector<double> return_closed(const Point& point, long steps) {
-  decltype(point.law.update({}, point.input, {}, 0.0)) response{};
+  using State = typename decltype(point.law)::template State<double>;
+  Response<double, State> response{};
   std::vector<double> records;
   const double dt = point.duration / static_cast<double>(steps);
   for (const bool is_back : {false, true}) {
