@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -26,6 +27,15 @@ template <class Aggregate, class Columns, class NumberOf>
   }
 }
 #pragma GCC diagnostic pop
+
+/// What a law remembers after the columns of a tensor.
+template <std::size_t Size, std::same_as<StateColumn>... More>
+[[nodiscard]] constexpr auto followed_by(const std::array<StateColumn, Size>& first, const More&... more) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array{first[I]..., more...};
+  }
+  (std::make_index_sequence<Size>{});
+}
 
 /// A law's memory of material that has not been deformed yet.
 template <class Law, class Real = double>

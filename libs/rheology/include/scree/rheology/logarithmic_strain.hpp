@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/constitutive_law.hpp>
 #include <scree/rheology/eigen_symmetric.hpp>
 #include <scree/rheology/elementary.hpp>
 #include <scree/rheology/kinematics.hpp>
@@ -13,6 +14,14 @@
 // that keeps it needs the left Cauchy-Green tensor exp(2 e), nor a logarithm of one.
 
 namespace scree::rheology {
+
+/// The memory of a law that keeps an elastic logarithmic strain.
+inline constexpr std::array<StateColumn, 6> elastic_strain_columns{{{"elastic_strain_xx", "-"},
+                                                                    {"elastic_strain_yy", "-"},
+                                                                    {"elastic_strain_zz", "-"},
+                                                                    {"elastic_strain_xy", "-"},
+                                                                    {"elastic_strain_xz", "-"},
+                                                                    {"elastic_strain_yz", "-"}}};
 
 namespace detail {
 

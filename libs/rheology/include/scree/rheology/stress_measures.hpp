@@ -1,11 +1,21 @@
 #pragma once
 
+#include <scree/constitutive_law.hpp>
 #include <scree/tensor.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace scree::rheology {
+
+/// The memory of a law that keeps the deviator of the Cauchy stress.
+inline constexpr std::array<StateColumn, 6> deviatoric_stress_columns{{{"deviatoric_stress_xx", "Pa"},
+                                                                       {"deviatoric_stress_yy", "Pa"},
+                                                                       {"deviatoric_stress_zz", "Pa"},
+                                                                       {"deviatoric_stress_xy", "Pa"},
+                                                                       {"deviatoric_stress_xz", "Pa"},
+                                                                       {"deviatoric_stress_yz", "Pa"}}};
 
 /// Mean pressure p = -tr(sigma)/3 of a stress [Pa], compression positive.  Eq. (R26)
 [[nodiscard]] constexpr double mean_pressure(const Tensor<double>& stress) noexcept {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/rheology/breakage_return.hpp>
+#include <scree/rheology/columns.hpp>
 #include <scree/rheology/concepts.hpp>
 #include <scree/rheology/elementary.hpp>
 #include <scree/rheology/kinematics.hpp>
@@ -42,15 +43,9 @@ struct Breakage {
   using State = Memory<Real, Symmetric>;
   template <class Real>
   using PlaneState = Memory<Real, PlaneSymmetric>;
-  static constexpr std::array<StateColumn, 8> states{
-      {{"elastic_strain_xx", "-"},
-       {"elastic_strain_yy", "-"},
-       {"elastic_strain_zz", "-"},
-       {"elastic_strain_xy", "-"},
-       {"elastic_strain_xz", "-"},
-       {"elastic_strain_yz", "-"},
-       {"compaction", "-", 0, Interval{.upper = 1, .is_open = false}},
-       {"breakage", "-", 0, Interval{.upper = 1}}}};
+  static constexpr std::array<StateColumn, 8> states = followed_by(
+      elastic_strain_columns, StateColumn{"compaction", "-", 0, Interval{.upper = 1, .is_open = false}},
+      StateColumn{"breakage", "-", 0, Interval{.upper = 1}});
   static constexpr std::array<std::size_t, 6> plane_states{0, 1, 2, 3, 6, 7};
 
   double bulk_modulus;           ///< K of unbroken grains [Pa]

@@ -33,12 +33,7 @@ struct DruckerPrager {
   using State = Symmetric<Real>;  ///< elastic logarithmic strain, of trace 0 [-]
   template <class Real>
   using PlaneState = PlaneSymmetric<Real>;
-  static constexpr std::array<StateColumn, 6> states{{{"elastic_strain_xx", "-"},
-                                                      {"elastic_strain_yy", "-"},
-                                                      {"elastic_strain_zz", "-"},
-                                                      {"elastic_strain_xy", "-"},
-                                                      {"elastic_strain_xz", "-"},
-                                                      {"elastic_strain_yz", "-"}}};
+  static constexpr std::array<StateColumn, 6> states = elastic_strain_columns;
   static constexpr std::array<std::size_t, 4> plane_states{0, 1, 2, 3};
 
   double friction;       ///< shear stress per pressure at yield [-], Eq. (R25)

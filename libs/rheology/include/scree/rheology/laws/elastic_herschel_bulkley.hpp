@@ -5,6 +5,7 @@
 #include <scree/rheology/kinematics.hpp>
 #include <scree/rheology/newtonian_stress.hpp>
 #include <scree/rheology/plane_symmetric.hpp>
+#include <scree/rheology/stress_measures.hpp>
 
 #include <array>
 #include <cmath>
@@ -33,12 +34,7 @@ struct ElasticHerschelBulkley {
   using State = Symmetric<Real>;  ///< deviator of the Cauchy stress [Pa]
   template <class Real>
   using PlaneState = PlaneSymmetric<Real>;
-  static constexpr std::array<StateColumn, 6> states{{{"deviatoric_stress_xx", "Pa"},
-                                                      {"deviatoric_stress_yy", "Pa"},
-                                                      {"deviatoric_stress_zz", "Pa"},
-                                                      {"deviatoric_stress_xy", "Pa"},
-                                                      {"deviatoric_stress_xz", "Pa"},
-                                                      {"deviatoric_stress_yz", "Pa"}}};
+  static constexpr std::array<StateColumn, 6> states = deviatoric_stress_columns;
   static constexpr std::array<std::size_t, 4> plane_states{0, 1, 2, 3};
 
   double consistency;    ///< K [Pa s^n]

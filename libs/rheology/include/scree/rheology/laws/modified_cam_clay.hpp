@@ -1,6 +1,7 @@
 #pragma once
 
 #include <scree/rheology/cam_clay_return.hpp>
+#include <scree/rheology/columns.hpp>
 #include <scree/rheology/concepts.hpp>
 #include <scree/rheology/elementary.hpp>
 #include <scree/rheology/kinematics.hpp>
@@ -41,13 +42,8 @@ struct ModifiedCamClay {
   using State = Memory<Real, Symmetric>;
   template <class Real>
   using PlaneState = Memory<Real, PlaneSymmetric>;
-  static constexpr std::array<StateColumn, 7> states{{{"elastic_strain_xx", "-"},
-                                                      {"elastic_strain_yy", "-"},
-                                                      {"elastic_strain_zz", "-"},
-                                                      {"elastic_strain_xy", "-"},
-                                                      {"elastic_strain_xz", "-"},
-                                                      {"elastic_strain_yz", "-"},
-                                                      {"preconsolidation", "-", 1, Interval{}}}};
+  static constexpr std::array<StateColumn, 7> states =
+      followed_by(elastic_strain_columns, StateColumn{"preconsolidation", "-", 1, Interval{}});
   static constexpr std::array<std::size_t, 5> plane_states{0, 1, 2, 3, 6};
 
   double critical_ratio;             ///< M, q/p in the critical state [-]

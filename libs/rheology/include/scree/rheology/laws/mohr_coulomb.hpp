@@ -1,5 +1,6 @@
 #pragma once
 
+#include <scree/rheology/columns.hpp>
 #include <scree/rheology/concepts.hpp>
 #include <scree/rheology/eigen_symmetric.hpp>
 #include <scree/rheology/elementary.hpp>
@@ -36,13 +37,8 @@ struct MohrCoulomb {
     Real xx, yy, zz, xy, xz, yz;  ///< elastic logarithmic strain, of trace 0 [-]
     Real dilation;                ///< logarithmic volume that flow has added [-]
   };
-  static constexpr std::array<StateColumn, 7> states{{{"elastic_strain_xx", "-"},
-                                                      {"elastic_strain_yy", "-"},
-                                                      {"elastic_strain_zz", "-"},
-                                                      {"elastic_strain_xy", "-"},
-                                                      {"elastic_strain_xz", "-"},
-                                                      {"elastic_strain_yz", "-"},
-                                                      {"dilation", "-", 0, Interval{-1, 1}}}};
+  static constexpr std::array<StateColumn, 7> states =
+      followed_by(elastic_strain_columns, StateColumn{"dilation", "-", 0, Interval{-1, 1}});
 
   double friction;          ///< tangent of the friction angle phi [-]
   double cohesion;          ///< c, shear stress at yield without pressure [Pa]
