@@ -139,16 +139,10 @@ struct SpinByAxes {
   }
 };
 
-/// How much is counted of what half a step's turn changes the logarithmic spin by: all but the square of the
-/// step's strain, and of long steps too little to turn the spin round, for the change along the spin is at
-/// most sqrt(2) |half| of it.
-template <class Real>
-[[nodiscard]] constexpr Real share_of_change(const Real& half_squared) noexcept {
-  return 1.0 / (1.0 + half_squared);
-}
-
 /// The axis by which a step turns a strain e, grown by `half` in half of it: the logarithmic spin over half a
-/// step, as it is amid the turn.
+/// step, as it is amid the turn. What half the turn changes it by counts but for the square of the step's
+/// strain, which keeps it from turning the spin round in long steps: along the spin the change is at most
+/// sqrt(2) |half| of it.
 /// @param spin that of the material over half a step
 /// @param factor NearSpin or SpinByAxes of e
 template <class Real, class Factor>
@@ -159,7 +153,8 @@ template <class Real, class Factor>
   const Symmetric<Real> turned_back = half - rate_of_turning(spin - at_first, half);
   const Axis<Real> seen = factor(commutator(e, turned_back));
   const Axis<Real> change = seen - at_first + cross(spin, at_first);
-  return spin - at_first - share_of_change(squared_norm(half)) * change;
+  const Real share = 1.0 / (1.0 + squared_norm(half));
+  return spin - at_first - share * change;
 }
 
 }  // namespace detail
