@@ -237,6 +237,8 @@ TEST(ValidateColumns, RefusesMemoryThatAPlaneLacks) {
   for (const std::size_t i : {0U, 1U, 3U, 4U, 8U}) columns.velocity_gradient[i] = numbers;
   columns.density = numbers;
   columns.states.fill(memory);
+  std::vector<double> balance(8, -0.02);  // of the trace
+  columns.states[2] = balance;
   columns.stress.fill(memory);
   const auto refused = [&] { return refusal([&] { validate_columns(columns); }); };
 
@@ -244,6 +246,34 @@ TEST(ValidateColumns, RefusesMemoryThatAPlaneLacks) {
   std::vector<double> none(8);
   columns.states[4] = columns.states[5] = none;
   EXPECT_EQ(refused(), "");
+}
+
+/// Which one form of a law would take for pressure and another drop. In single precision it is of trace 0.
+TEST(ValidateColumns, RefusesATraceOfADeviator) {
+  const std::vector<double> numbers(8, 1.0);
+  std::array<std::vector<double>, 6> memory;
+  const std::array<double, 6> strain{0.1, 0.2, -0.3, 3.0, 0, 0};
+  LawColumns<DruckerPrager> columns;
+  columns.velocity_gradient.fill(numbers);
+  columns.density = numbers;
+  std::vector<double> stress(8);
+  columns.stress.fill(stress);
+  for (std::size_t i = 0; i < 6; ++i) {
+    memory[i].assign(8, static_cast<double>(static_cast<float>(strain[i])));
+    columns.states[i] = memory[i];
+  }
+  const auto refused = [&] { return refusal([&] { validate_columns(columns); }); };
+
+  EXPECT_EQ(refused(), "");
+  memory[1][6] = 0.2 + 0.9e-6 * 3.0;
+  EXPECT_EQ(refused(), "");
+  memory[1][6] = 0.2 - 0.1;
+  EXPECT_EQ(
+      refused(),
+      "the law 'drucker_prager' reads elastic_strain_xx + elastic_strain_yy + elastic_strain_zz = -0.1 of "
+      "point 6: must be 0");
+  memory[1][6] = 0.2 + 1.1e-6 * 3.0;
+  EXPECT_NE(refused(), "");
 }
 
 /// What is not checked in each call, and the remedy: a NaN reaches the stress of its own point, and of no

@@ -96,6 +96,21 @@ TYPED_TEST(EveryLaw, IsObjective) {
   }
 }
 
+/// What a law leaves in its memory is what `validate_columns` would let in again: up to a millionth.
+TYPED_TEST(EveryLawWithTensorMemory, SaysWhetherItIsOfTraceZero) {
+  Point<TypeParam> point{this->law};
+  for (const auto& gradient : velocity_gradients()) {
+    point.step(gradient, 1.001 * this->law.density, 1e-3);
+    const auto memory = std::bit_cast<std::array<double, TypeParam::states.size()>>(point.state);
+    const double trace = std::abs(memory[0] + memory[1] + memory[2]);
+    double largest = 0;
+    for (std::size_t i = 0; i < 6; ++i) largest = std::max(largest, std::abs(memory[i]));
+
+    EXPECT_GT(largest, 0);
+    EXPECT_EQ(remembers_deviator<TypeParam>, trace <= 1e-6 * largest);
+  }
+}
+
 TYPED_TEST(EveryLawWithoutTensorMemory, DoesNotFeelASpin) {
   for (const auto& gradient : velocity_gradients()) {
     auto spinning = gradient;

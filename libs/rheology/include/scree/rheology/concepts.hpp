@@ -41,6 +41,17 @@ inline constexpr bool disconnects = [] {
   }
 }();
 
+/// Whether a law's memory begins with the components xx, yy, zz, xy, xz and yz of a tensor of trace 0: so it
+/// does if the law says `static constexpr bool remembers_deviator = true`.
+template <class Law>
+inline constexpr bool remembers_deviator = [] {
+  if constexpr (requires { Law::remembers_deviator; }) {
+    return Law::remembers_deviator;
+  } else {
+    return false;
+  }
+}();
+
 /// How many points a law's kernel computes at once, where registers are as wide: four, unless the law was
 /// measured to be faster in a whole pack of eight and says `static constexpr std::size_t most_lanes = 8`.
 /// Roots and quotients are half as fast in registers twice as wide; exp, log and pow (`elementary`) are not.

@@ -28,6 +28,7 @@ struct Breakage {
   static constexpr std::string_view name = "breakage";
   static constexpr std::string_view summary = "grains that are crushed, and become finer";
   static constexpr std::size_t most_lanes = 8;  // measured
+  static constexpr bool remembers_deviator = true;
   static constexpr bool disconnects = false;  // the density at which they let go grows as they are compacted
 
   template <class Real>

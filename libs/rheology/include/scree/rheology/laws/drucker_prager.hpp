@@ -25,6 +25,7 @@ struct DruckerPrager {
   static constexpr std::string_view name = "drucker_prager";
   static constexpr std::string_view summary = "cohesionless sand at large strain, without rate";
   static constexpr std::size_t most_lanes = 8;  // measured
+  static constexpr bool remembers_deviator = true;
 
   template <class Real>
   struct Input {};

@@ -26,6 +26,7 @@ struct ElasticHerschelBulkley {
   static constexpr std::string_view summary =
       "fluid with a true yield stress, elastic below it; no viscous limit of the step";
   static constexpr std::size_t most_lanes = 8;  // measured
+  static constexpr bool remembers_deviator = true;
 
   template <class Real>
   struct Input {};

@@ -26,6 +26,7 @@ struct GranularElastoviscoplastic {
   static constexpr std::string_view summary =
       "grains that rest, flow by mu(I) and disconnect; no viscous limit of the step";
   static constexpr std::size_t most_lanes = 8;  // measured
+  static constexpr bool remembers_deviator = true;
 
   template <class Real>
   struct Input {

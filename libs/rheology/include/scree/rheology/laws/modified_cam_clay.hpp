@@ -28,7 +28,8 @@ struct ModifiedCamClay {
   static constexpr std::string_view name = "modified_cam_clay";
   static constexpr std::string_view summary = "clay that hardens by compaction and ends in a critical state";
   static constexpr std::size_t most_lanes = 8;  // measured
-  static constexpr bool disconnects = false;    ///< it presses, ever less, far below `density`
+  static constexpr bool remembers_deviator = true;
+  static constexpr bool disconnects = false;  ///< it presses, ever less, far below `density`
 
   template <class Real>
   struct Input {};

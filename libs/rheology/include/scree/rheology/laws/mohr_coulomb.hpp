@@ -28,6 +28,7 @@ struct MohrCoulomb {
   static constexpr std::string_view summary =
       "soil with friction, cohesion, dilatancy and a limit of tension";
   static constexpr std::size_t most_lanes = 8;  // measured
+  static constexpr bool remembers_deviator = true;
 
   template <class Real>
   struct Input {};
