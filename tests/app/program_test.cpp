@@ -143,6 +143,23 @@ TEST(Program, CheckTellsWhatARunCosts) {
   EXPECT_NE(of_one_mean.output.find(warning), std::string::npos);
 }
 
+/// Also where it is quiet.
+TEST(Program, RunWarnsOfOneMeanOverCellsWithoutTheOther) {
+  const std::string run = "run " + scene_file("inclined_plane_column") +
+                          " --quiet --set time.end=1e-6 --set numerics.shape=quadratic" +
+                          " --set numerics.averaged_pressure=true --output " + fresh("one_mean").string();
+
+  const Result of_one = scree(run);
+  const Result of_both = scree(run + " --set numerics.averaged_volume_change=true");
+
+  EXPECT_EQ(of_one.exit_code, 0);
+  EXPECT_EQ(of_one.output.rfind("scree: warning: [numerics] averaged_pressure = true without ", 0), 0U)
+      << of_one.output;
+  EXPECT_EQ(std::ranges::count(of_one.output, '\n'), 1) << of_one.output;
+  EXPECT_EQ(of_both.exit_code, 0);
+  EXPECT_EQ(of_both.output, "");
+}
+
 TEST(Program, LeadsAPointAlongAPathAndDrawsIt) {
   const fs::path directory = fresh("path");
 
