@@ -4,7 +4,6 @@
 #include "scree/run/simulation.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -12,13 +11,13 @@
 
 namespace scree::app::testing {
 
-/// A folder of this process with a map of 4 x 3 cells of 0.5 m whose values rise by 0.1 to the east and 0.2
-/// to the north, from 10.15 at the centre of its south-western cell, at (100.25, 50.25) m; a map without data
-/// in its north-eastern cell; one of the same slope from 0.15 on, for friction, without data there; and one
-/// of depths, 0.3 everywhere.
+/// A folder of this test, the same in every run of it, with a map of 4 x 3 cells of 0.5 m whose values rise
+/// by 0.1 to the east and 0.2 to the north, from 10.15 at the centre of its south-western cell, at
+/// (100.25, 50.25) m; a map without data in its north-eastern cell; one of the same slope from 0.15 on, for
+/// friction, without data there; and one of depths, 0.3 everywhere.
 [[nodiscard]] inline std::filesystem::path folder_with_maps() {
-  const auto folder =
-      std::filesystem::path{::testing::TempDir()} / ("scree_maps_" + std::to_string(::getpid()));
+  const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path{SCREE_TEST_MAPS} / test->test_suite_name() / test->name();
   std::filesystem::create_directories(folder);
   const std::string header = "ncols 4\nnrows 3\nxllcorner 100\nyllcorner 50\ncellsize 0.5\n";
   const std::string south = "10.25 10.3 10.35 10.4\n10.15 10.2 10.25 10.3\n";
