@@ -37,7 +37,8 @@ struct Layer {
       particles.density.component(0)[p] = law.density * 1.01;
       particles.velocity.component(0)[p] = 0.1 * std::sin(5 * particles.position.component(1)[p]);
     }
-    stages.stress = std::make_unique<mpm::StressUpdateBy<2, 2, Law>>(law, particles);
+    stages.stress = std::make_unique<mpm::StressUpdateBy<2, 2, Law>>(
+        law, particles, block_kernel(law, widest_instruction_set()));
     stages.transfer = mpm::make_transfer<2, 2>(mpm::Quadratic{}, mpm::Apic{});
     stages.boundaries.push_back(mpm::make_wall<2>(mpm::Slip{}, 1, mpm::Side::low));
     stages.boundaries.push_back(mpm::make_wall<2>(mpm::Slip{}, 1, mpm::Side::high));

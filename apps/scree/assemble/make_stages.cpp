@@ -89,7 +89,9 @@ mpm::Stages<D, V> make_stages(const Scene& scene, const CartesianGrid<D>& grid,
   }
   stages.stress = std::visit(
       [&](const auto& law) -> std::unique_ptr<mpm::StressUpdate<D, V>> {
-        return std::make_unique<mpm::StressUpdateBy<D, V, std::decay_t<decltype(law)>>>(law, particles);
+        using By = mpm::StressUpdateBy<D, V, std::decay_t<decltype(law)>>;
+        return std::make_unique<By>(law, particles,
+                                    block_kernel(law, widest_instruction_set()));  // all have one
       },
       scene.law);
   for (const InitialScene& initial : scene.initial) {

@@ -84,6 +84,23 @@ template <int D, int V>
   return gradient;
 }
 
+namespace detail {
+
+/// StressUpdate::density_at() of a point, which all dimensions share.
+template <class Law>
+[[nodiscard]] double density_at(const Law& law, const typename Law::template Input<double>& input,
+                                const typename Law::template State<double>& state, double start,
+                                double wanted) {
+  const auto excess = [&](double density) {
+    return -trace(law.update({Tensor<double>{}, density}, input, state, 0.0).stress) / 3 - wanted;
+  };
+  if (const auto density = rest_density(excess, start)) return *density;
+  throw RunError{"the law '" + std::string{Law::name} + "' has no density at which its pressure is " +
+                 std::to_string(wanted) + " Pa"};
+}
+
+}  // namespace detail
+
 /// The stress update by one constitutive law. Its inputs are columns found by name when it is built (one that
 /// is absent, in another unit or somewhere out of its range is an InputError), its state becomes columns of
 /// their own, which begin at the law's initial values.
@@ -92,9 +109,15 @@ class StressUpdateBy final : public StressUpdate<D, V> {
  public:
   /// @param set what the law's kernel is compiled for, if it has kernels; must run here
   StressUpdateBy(const Law& law, Particles<D, V>& particles, InstructionSet set = widest_instruction_set())
-      : law_{law}, kernel_{kernel_of(law, set)}, hoop_{hoop_columns_of(particles)} {
+      : StressUpdateBy{law, particles, kernel_of(law, set)} {}
+
+  /// The same with a kernel that is known: what the law is without one, point by point, need not be compiled.
+  /// @param kernel of this law; not null
+  StressUpdateBy(const Law& law, Particles<D, V>& particles, BlockKernel<Law> kernel)
+      : law_{law}, kernel_{kernel}, hoop_{hoop_columns_of(particles)} {
+    SCREE_ASSERT(kernel != nullptr);
     for (std::size_t i = 0; i < num_inputs; ++i) {
-      inputs_[i] = input_column(particles, Law::inputs[i]);
+      inputs_[i] = input_column(particles, Law::inputs[i], Law::name);
     }
     StressUpdateBy::require_inputs(particles);
     for (std::size_t i = 0; i < num_states; ++i) {
@@ -162,14 +185,8 @@ class StressUpdateBy final : public StressUpdate<D, V> {
   }
 
   [[nodiscard]] double density_at(const Particles<D, V>& particles, Index p, double wanted) const override {
-    const Input input = load<Input>(particles, inputs_, p);
-    const State state = load<State>(particles, states_, p);
-    const auto excess = [&](double density) {
-      return -trace(law_.update({Tensor<double>{}, density}, input, state, 0.0).stress) / 3 - wanted;
-    };
-    if (const auto density = rest_density(excess, particles.density.component(0)[p])) return *density;
-    throw RunError{"the law '" + std::string{Law::name} + "' has no density at which its pressure is " +
-                   std::to_string(wanted) + " Pa"};
+    return detail::density_at(law_, load<Input>(particles, inputs_, p), load<State>(particles, states_, p),
+                              particles.density.component(0)[p], wanted);
   }
 
   [[nodiscard]] BlockStiffness stiffness(const Particles<D, V>& particles, Index begin,
@@ -191,22 +208,6 @@ class StressUpdateBy final : public StressUpdate<D, V> {
   };
   static constexpr std::size_t num_inputs = Law::inputs.size();
   static constexpr std::size_t num_states = Law::states.size();
-
-  [[nodiscard]] static std::size_t input_column(const Particles<D, V>& particles, const InputColumn& input) {
-    const std::string law = "the law '" + std::string{Law::name} + "'";
-    const std::size_t index = particles.find_column(input.name, law);
-    const std::string& unit = particles.column(index).quantity().unit;
-    require(unit == input.unit, law + " reads the column '" + std::string{input.name} + "' in " +
-                                    std::string{input.unit} + ", but it is in " + unit);
-    return index;
-  }
-
-  [[nodiscard]] static std::size_t state_column(Particles<D, V>& particles, const StateColumn& state) {
-    const std::string name{state.name};
-    const std::size_t index = particles.add_column({name, name, std::string{state.unit}}, 1);
-    std::ranges::fill(particles.column(index).values(), state.initial);
-    return index;
-  }
 
   [[nodiscard]] Deformation<double> deformation_of(const Particles<D, V>& particles, Index p) const noexcept {
     Deformation<double> deformation{velocity_gradient_of(particles, p), particles.density.component(0)[p]};
