@@ -102,7 +102,7 @@ mpm::Particles<D, V> make_points(const Scene& scene, const Filling<D>& filling, 
 
 template <int D, int V>
 void settle(const Scene& scene, const Filling<D>& filling, const mpm::Stages<D, V>& stages,
-            mpm::Particles<D, V>& particles) {
+            mpm::Particles<D, V>& particles, Threads threads) {
   const int normal = normal_component(D);
   const double gravity = -stages.gravity[static_cast<std::size_t>(normal)];
   const double pressure = scene.material.surface_pressure;
@@ -115,7 +115,7 @@ void settle(const Scene& scene, const Filling<D>& filling, const mpm::Stages<D, 
   const std::function<double(const Vector<D>&)> top = [&](const Vector<D>& x) {
     return surface_above(scene, filling, x);
   };
-  mpm::set_geostatic(particles, *stages.stress, normal, top, gravity, pressure);
+  mpm::set_geostatic(particles, *stages.stress, normal, top, gravity, pressure, threads);
 }
 
 #define SCREE_INSTANCE(D, V)                                                                           \
@@ -123,7 +123,7 @@ void settle(const Scene& scene, const Filling<D>& filling, const mpm::Stages<D, 
                                                   const CartesianGrid<D>& grid,                        \
                                                   const mpm::AnySurface<D>& ground);                   \
   template void settle(const Scene& scene, const Filling<D>& filling, const mpm::Stages<D, V>& stages, \
-                       mpm::Particles<D, V>& particles);
+                       mpm::Particles<D, V>& particles, Threads threads);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
 

@@ -21,6 +21,6 @@ template <int D, int V>
 /// @throws InputError if the law does not bear the pressure on the surface.
 template <int D, int V>
 void settle(const Scene& scene, const Filling<D>& filling, const mpm::Stages<D, V>& stages,
-            mpm::Particles<D, V>& particles);
+            mpm::Particles<D, V>& particles, Threads threads);
 
 }  // namespace scree::app

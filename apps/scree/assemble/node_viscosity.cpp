@@ -59,9 +59,9 @@ class WithoutViscosity final : public mpm::StressUpdate<D, V> {
                         std::span<double> number) const noexcept override {
     whole_->stability_number(particles, number);
   }
-  [[nodiscard]] double density_at(const mpm::Particles<D, V>& particles, Index p,
-                                  double wanted) const override {
-    return whole_->density_at(particles, p, wanted);
+  [[nodiscard]] double rest_pressure(const mpm::Particles<D, V>& particles, Index p,
+                                     double density) const noexcept override {
+    return whole_->rest_pressure(particles, p, density);
   }
   void require_inputs(const mpm::Particles<D, V>& particles) const override {
     whole_->require_inputs(particles);

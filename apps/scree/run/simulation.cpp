@@ -47,7 +47,7 @@ template <int D, int V>
     if (stages.node_means) stages.node_means->require_inputs(particles);
   } else {
     require_stiff(scene, filling, stages, particles);
-    settle(scene, filling, stages, particles);
+    settle(scene, filling, stages, particles, threads);
   }
   note = choose_viscosity(scene, grid, particles, stages, threads);
   auto state = mpm::start(std::move(particles), grid, stages, threads);
@@ -118,7 +118,7 @@ mpm::Inflow<D, V> Simulation<D, V>::make_inflow(const InflowScene& inflow) const
   auto layer = mpm::first_layer(stream, grid());
   if (scene_.grains) Mixture{scene_}.add_to(layer, inflow.fractions);
   const mpm::Stages<D, V> stages = make_stages(scene_, grid(), layer);
-  settle(scene_, Filling<D>{scene_, grid(), ground_of<D>(scene_)}, stages, layer);
+  settle(scene_, Filling<D>{scene_, grid(), ground_of<D>(scene_)}, stages, layer, threads_);
   if (scene_.grains && crushes(scene_.law)) {
     const Crushing<D, V> crushing{layer, *scene_.grains, scene_.mixture.ultimate_fractal_dimension};
     if (crushing.advance(layer)) Mixture{scene_}.update(layer);

@@ -52,10 +52,20 @@ class StressUpdate {
   virtual void stability_number(const Particles<D, V>& particles,
                                 std::span<double> number) const noexcept = 0;
 
+  /// Pressure that a point would have at rest with another density, for initial states [Pa]; changes nothing.
+  /// @param density [kg/m^3], positive
+  [[nodiscard]] virtual double rest_pressure(const Particles<D, V>& particles, Index p,
+                                             double density) const noexcept = 0;
+
   /// Density at which a point at rest has the given pressure, for initial states [kg/m^3].
   /// @param wanted pressure [Pa], not negative
   /// @throws RunError naming the law if it has no such density.
-  [[nodiscard]] virtual double density_at(const Particles<D, V>& particles, Index p, double wanted) const = 0;
+  [[nodiscard]] double density_at(const Particles<D, V>& particles, Index p, double wanted) const {
+    const auto excess = [&](double density) { return rest_pressure(particles, p, density) - wanted; };
+    if (const auto density = rest_density(excess, particles.density.component(0)[p])) return *density;
+    throw RunError{"the law '" + std::string{law()} + "' has no density at which its pressure is " +
+                   std::to_string(wanted) + " Pa"};
+  }
 
   /// Checks what the law reads of each point that has mass; for when inputs have changed.
   /// @throws InputError as require_in_range() does.
@@ -86,17 +96,12 @@ template <int D, int V>
 
 namespace detail {
 
-/// StressUpdate::density_at() of a point, which all dimensions share.
+/// StressUpdate::rest_pressure() of a point, which all dimensions share.
 template <class Law>
-[[nodiscard]] double density_at(const Law& law, const typename Law::template Input<double>& input,
-                                const typename Law::template State<double>& state, double start,
-                                double wanted) {
-  const auto excess = [&](double density) {
-    return -trace(law.update({Tensor<double>{}, density}, input, state, 0.0).stress) / 3 - wanted;
-  };
-  if (const auto density = rest_density(excess, start)) return *density;
-  throw RunError{"the law '" + std::string{Law::name} + "' has no density at which its pressure is " +
-                 std::to_string(wanted) + " Pa"};
+[[nodiscard]] double rest_pressure(const Law& law, const typename Law::template Input<double>& input,
+                                   const typename Law::template State<double>& state,
+                                   double density) noexcept {
+  return -trace(law.update({Tensor<double>{}, density}, input, state, 0.0).stress) / 3;
 }
 
 }  // namespace detail
@@ -184,9 +189,10 @@ class StressUpdateBy final : public StressUpdate<D, V> {
     }
   }
 
-  [[nodiscard]] double density_at(const Particles<D, V>& particles, Index p, double wanted) const override {
-    return detail::density_at(law_, load<Input>(particles, inputs_, p), load<State>(particles, states_, p),
-                              particles.density.component(0)[p], wanted);
+  [[nodiscard]] double rest_pressure(const Particles<D, V>& particles, Index p,
+                                     double density) const noexcept override {
+    return detail::rest_pressure(law_, load<Input>(particles, inputs_, p), load<State>(particles, states_, p),
+                                 density);
   }
 
   [[nodiscard]] BlockStiffness stiffness(const Particles<D, V>& particles, Index begin,
