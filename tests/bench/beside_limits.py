@@ -61,21 +61,36 @@ def to_nodes(axes: int, support: int, value: bool, slope: bool) -> int:
     return support * (here + to_nodes(axes - 1, support, True, slope))
 
 
-def from_nodes(axes: int, support: int, slope: bool) -> int:
-    """Those of sum_of_nodes."""
+def affine_to_nodes(axes: int, support: int) -> int:
+    """Those of add_affine there."""
     if axes == 1:
-        return support * 2 * FIELDS * (1 + slope)
-    here = 2 * FIELDS * (1 + (axes if slope else 0))
+        return support * 3 * FIELDS
+    return support * ((1 + axes) * FIELDS + affine_to_nodes(axes - 1, support))
+
+
+def from_nodes(axes: int, support: int, slope: bool) -> int:
+    """Those of sum_near in libs/mpm/src/kernels/near_loops.hpp for one field, of packs whose stencils begin at one
+    node."""
+    if axes == 1:
+        return support * 2 * (1 + slope)
+    here = 2 * (1 + (axes if slope else 0))
     return support * (here + from_nodes(axes - 1, support, slope))
+
+
+def moments_from_nodes(axes: int, support: int) -> int:
+    """Those of moments_near there."""
+    if axes == 1:
+        return support * 3
+    return support * (1 + 2 * axes + moments_from_nodes(axes - 1, support))
 
 
 def operations(row: Row) -> int:
     """Of a point in the loops over the nodes of its stencil: not of its weights, its law, or the nodes' own."""
     d, s = row.dimensions, row.support
     if not row.has_increment:
-        return to_nodes(d, s, True, True) + from_nodes(d, s, True)
-    return (to_nodes(d, s, True, False) + to_nodes(d, s, False, True) + from_nodes(d, s, True)
-            + from_nodes(d, s, False))
+        return affine_to_nodes(d, s) + d * moments_from_nodes(d, s)
+    return (to_nodes(d, s, True, False) + to_nodes(d, s, False, True)
+            + d * (from_nodes(d, s, True) + from_nodes(d, s, False)))
 
 
 def run(*command: str) -> str:

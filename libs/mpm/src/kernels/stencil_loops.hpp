@@ -5,7 +5,7 @@
 #include <cstddef>
 
 /// The loops over the nodes of one point's stencil. Lanes are the fields of a node; the products of weights
-/// are taken axis by axis, so that a node costs two multiply-adds.
+/// are taken axis by axis, so that a node costs two multiply-adds, or one of an affine field.
 namespace scree::mpm::SCREE_INSTRUCTION_SET {
 
 /// Weights of the points of a pack along each axis, point fastest.
@@ -51,6 +51,28 @@ template <int D, std::size_t S, bool has_value, bool has_slope, int Axes>
       }
       add_to_nodes<D, S, true, has_slope>(rest, weight, slope, lane, stride, node);
     }
+  }
+}
+
+/// Adds to the nodes N_i times an affine field: `value` at the first one, and slopes that are steps from one
+/// to the next along each axis.
+template <int D, std::size_t S, int Axes>
+[[gnu::always_inline]] inline void add_affine(const ToNodes<Axes>& given, const PackWeights<D, S>& weight,
+                                              int lane, const Strides<D>& stride, double* node) noexcept {
+  constexpr int axis = Axes - 1;
+  Four here = given.value;
+#pragma GCC unroll 4
+  for (std::size_t i = 0; i < S; ++i, node += stride.axis[axis]) {
+    const double w = weight.along[axis][i][lane];
+    if constexpr (axis == 0) {
+      (Four::load(node) + w * here).store(node);
+    } else {
+      ToNodes<axis> rest;
+      rest.value = w * here;
+      for (int j = 0; j < axis; ++j) rest.slope[j] = w * given.slope[j];
+      add_affine<D, S>(rest, weight, lane, stride, node);
+    }
+    here += given.slope[axis];
   }
 }
 

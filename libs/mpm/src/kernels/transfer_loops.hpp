@@ -28,10 +28,16 @@ struct Record {
   static constexpr std::ptrdiff_t force = has_force ? NodeRecord::increment() : 0;
 };
 
-template <int D, std::size_t S, TransferRule Rule>
+template <int D, Shape ShapeType, TransferRule Rule>
 struct Tile {
-  static constexpr Index edge = TileShape<D, S>::edge;
-  static constexpr Index num_values = TileShape<D, S>::num_nodes * Record<Rule>::size;
+  static constexpr Index edge = TileShape<D, ShapeType::support>::edge;
+  /// Zeros follow the nodes of a plane: packs whose stencils begin at neighbours along one axis read one node
+  /// more along the other too (Beginnings::are_one).
+  static constexpr Index num_beyond = D == 2 ? edge + 1 : 0;
+  static constexpr Index num_values =
+      (TileShape<D, ShapeType::support>::num_nodes + num_beyond) * Record<Rule>::size;
+  /// What goes by slopes goes by steps from node to node: half the multiply-adds.
+  static constexpr bool by_steps = Rule::has_affine_gradient && HasConstantMoment<ShapeType>;
   [[nodiscard]] static constexpr Strides<D> strides() noexcept {
     Strides<D> stride{};
     stride.axis[0] = Record<Rule>::size;
@@ -141,7 +147,7 @@ inline void keep(const Stencil<Pack, D, S>& stencil, const BlockPlace<D>& place,
 template <int D, bool parts_force>
 struct PackGiven {
   alignas(64) double momentum[Pack::size][1 + D][4];
-  alignas(64) double force[parts_force ? Pack::size : 1][D][4];
+  alignas(64) double force[parts_force ? Pack::size : 1][1 + D][4];
 };
 
 template <int V>
@@ -149,40 +155,57 @@ template <int V>
   return i < V ? values[static_cast<std::size_t>(i)] : Pack{0};
 }
 
-/// Sets down mass and momentum as one four, and for each axis slopes and forces as others.
-template <TransferRule Rule, int D, int V, bool parts_force>
-inline void keep(const Given<Pack, D, V>& given, PackGiven<D, parts_force>& kept) noexcept {
+/// Sets down mass and momentum as one four, and for each axis slopes as others; and forces likewise, without
+/// a value of their own but by steps.
+template <class TileType, TransferRule Rule, int D, int V, std::size_t S, bool parts_force>
+inline void keep(const Given<Pack, D, V>& given, const Stencil<Pack, D, S>& stencil,
+                 PackGiven<D, parts_force>& kept) noexcept {
   constexpr Index stride = Index{4} * (1 + D);
-  to_fours({given.mass, component<V>(given.momentum, 0), component<V>(given.momentum, 1),
-            component<V>(given.momentum, 2)},
-           kept.momentum[0][0], stride);
+  const auto set_down = [](const Pack& first, const Components<Pack, V>& rest, double* fours) {
+    to_fours({first, component<V>(rest, 0), component<V>(rest, 1), component<V>(rest, 2)}, fours, stride);
+  };
+  Components<Pack, V> momentum;
+  for (std::size_t i = 0; i < V; ++i) momentum[i] = given.momentum[i];
+  Components<Components<Pack, V>, D> slope;
   for (std::size_t j = 0; j < D; ++j) {
-    Components<Pack, V> along;  // what goes to the momentum
     for (std::size_t i = 0; i < V; ++i) {
-      along[i] = parts_force        ? given.momentum_slope[j][i]
-                 : Rule::has_affine ? given.momentum_slope[j][i] + given.force[j][i]
-                                    : given.force[j][i];
+      slope[j][i] = parts_force        ? given.momentum_slope[j][i]
+                    : Rule::has_affine ? given.momentum_slope[j][i] + given.force[j][i]
+                                       : given.force[j][i];
     }
-    if constexpr (Rule::has_affine || !parts_force) {
-      to_fours({Pack{0}, component<V>(along, 0), component<V>(along, 1), component<V>(along, 2)},
-               kept.momentum[0][1 + j], stride);
-    }
-    if constexpr (parts_force) {
-      const Pack x = component<V>(given.force[j], 0);
-      const Pack y = component<V>(given.force[j], 1);
-      const Pack z = component<V>(given.force[j], 2);
+  }
+  if constexpr (TileType::by_steps) turn_to_steps<Pack, D, V>(stencil, momentum, slope);
+  set_down(given.mass, momentum, kept.momentum[0][0]);
+  if constexpr (Rule::has_affine || !parts_force) {
+    for (std::size_t j = 0; j < D; ++j) set_down(Pack{0}, slope[j], kept.momentum[0][1 + j]);
+  }
+  if constexpr (parts_force) {
+    const auto set_down_force = [&](const Components<Pack, V>& force, double* fours) {
       if constexpr (Record<Rule>::has_force) {
-        to_fours({x, y, z, Pack{0}}, kept.force[0][j], D * 4);
+        to_fours({component<V>(force, 0), component<V>(force, 1), component<V>(force, 2), Pack{0}}, fours,
+                 stride);
       } else {
-        to_fours({Pack{0}, x, y, z}, kept.force[0][j], D * 4);  // over mass and momentum
+        set_down(Pack{0}, force, fours);  // over mass and momentum
       }
+    };
+    Components<Components<Pack, V>, D> force;
+    for (std::size_t j = 0; j < D; ++j) {
+      for (std::size_t i = 0; i < V; ++i) force[j][i] = given.force[j][i];
     }
+    if constexpr (TileType::by_steps) {
+      Components<Pack, V> at_first;
+      at_first.fill(Pack{0});
+      turn_to_steps<Pack, D, V>(stencil, at_first, force);
+      set_down_force(at_first, kept.force[0][0]);
+    }
+    for (std::size_t j = 0; j < D; ++j) set_down_force(force[j], kept.force[0][1 + j]);
   }
 }
 
-template <TransferRule Rule, int D, std::size_t S, bool parts_force>
+template <class TileType, TransferRule Rule, int D, std::size_t S, bool parts_force>
 inline void scatter_lane(const PackStencils<D, S>& stencils, const PackGiven<D, parts_force>& given, int lane,
-                         const Strides<D>& stride, double* tile) noexcept {
+                         double* tile) noexcept {
+  constexpr auto stride = TileType::strides();
   constexpr bool has_slope = Rule::has_affine || !parts_force;
   double* first = tile + stencils.first[lane];
   ToNodes<D> momentum;
@@ -190,13 +213,23 @@ inline void scatter_lane(const PackStencils<D, S>& stencils, const PackGiven<D, 
   if constexpr (has_slope) {
     for (int j = 0; j < D; ++j) momentum.slope[j] = Four::load(given.momentum[lane][1 + j]);
   }
-  add_to_nodes<D, S, true, has_slope>(
-      momentum, stencils.weight, Record<Rule>::has_arm ? stencils.arm : stencils.slope, lane, stride, first);
+  if constexpr (TileType::by_steps) {
+    add_affine<D, S>(momentum, stencils.weight, lane, stride, first);
+  } else {
+    add_to_nodes<D, S, true, has_slope>(momentum, stencils.weight,
+                                        Record<Rule>::has_arm ? stencils.arm : stencils.slope, lane, stride,
+                                        first);
+  }
   if constexpr (parts_force) {
+    double* const place = first + Record<Rule>::force;
     ToNodes<D> force;
-    for (int j = 0; j < D; ++j) force.slope[j] = Four::load(given.force[lane][j]);
-    add_to_nodes<D, S, false, true>(force, stencils.weight, stencils.slope, lane, stride,
-                                    first + Record<Rule>::force);
+    for (int j = 0; j < D; ++j) force.slope[j] = Four::load(given.force[lane][1 + j]);
+    if constexpr (TileType::by_steps) {
+      force.value = Four::load(given.force[lane][0]);
+      add_affine<D, S>(force, stencils.weight, lane, stride, place);
+    } else {
+      add_to_nodes<D, S, false, true>(force, stencils.weight, stencils.slope, lane, stride, place);
+    }
   }
 }
 
@@ -206,7 +239,7 @@ SCREE_KERNEL void scatter(const AnyShape& any_shape, const PointColumns<D, V, co
                           double dt) noexcept {
   const auto columns = given_columns;  // copies: stores to points cannot alias them
   const auto place = given_place;
-  using TileType = Tile<D, ShapeType::support, Rule>;
+  using TileType = Tile<D, ShapeType, Rule>;
   const auto shape = *std::get_if<ShapeType>(&any_shape);
   TileType tile;
   std::fill_n(tile.values, TileType::num_values, 0.0);
@@ -220,9 +253,9 @@ SCREE_KERNEL void scatter(const AnyShape& any_shape, const PointColumns<D, V, co
     for (std::size_t axis = 0; axis < D; ++axis) {
       part.widen(axis, stencil.base[axis] - place.first_base[axis]);
     }
-    keep<Rule>(give<Rule>(point, stencil, dt), given);
+    keep<TileType, Rule>(give<Rule>(point, stencil, dt), stencil, given);
     for (int lane = 0; lane < Pack::size; ++lane) {
-      scatter_lane<Rule>(stencils, given, lane, TileType::strides(), tile.values);
+      scatter_lane<TileType, Rule>(stencils, given, lane, tile.values);
     }
   }
   for_each_run<TileType>(nodes, part.of_block(), [&](double* run, Index in_tile, Index count) {
@@ -282,13 +315,23 @@ inline void gather_lanes(const Stencil<Pack, D, S>& stencil, const BlockPlace<D>
 
 /// A pack of points whose nodes are near.  @tparam N nodes along the first axis
 template <class TileType, TransferRule Rule, std::size_t N, int D, int V, std::size_t S>
-inline void gather_near(const NearNodes<D, S>& nodes, const double* first,
+inline void gather_near(const NearNodes<D, S>& nodes, const Stencil<Pack, D, S>& stencil, const double* first,
                         Taken<Pack, D, V>& taken) noexcept {
   constexpr auto stride = TileType::strides();
   for (std::size_t i = 0; i < V; ++i) {
-    const auto velocity = sum_near<N, true>(nodes, stride, first + NodeRecord::momentum + i);
-    taken.velocity[i] = velocity.value;
-    for (std::size_t j = 0; j < D; ++j) taken.velocity_gradient[j][i] = velocity.slope[j];
+    const double* const momentum = first + NodeRecord::momentum + i;
+    if constexpr (TileType::by_steps) {
+      const auto velocity = moments_near<N>(nodes, stride, momentum);
+      taken.velocity[i] = velocity.value;
+      for (std::size_t j = 0; j < D; ++j) {
+        const Pack moment = velocity.slope[j] - nodes.xi[j] * velocity.value;
+        taken.velocity_gradient[j][i] = moment * stencil.inverse_moment[j];
+      }
+    } else {
+      const auto velocity = sum_near<N, true>(nodes, stride, momentum);
+      taken.velocity[i] = velocity.value;
+      for (std::size_t j = 0; j < D; ++j) taken.velocity_gradient[j][i] = velocity.slope[j];
+    }
     if constexpr (Rule::has_increment) {
       taken.increment[i] = sum_near<N, false>(nodes, stride, first + Record<Rule>::force + i).value;
     }
@@ -296,9 +339,8 @@ inline void gather_near(const NearNodes<D, S>& nodes, const double* first,
 }
 
 template <class TileType, TransferRule Rule, int D, int V, std::size_t S>
-inline void gather_pack(const Stencil<Pack, D, S>& stencil, const BlockPlace<D>& place, const double* tile,
-                        Taken<Pack, D, V>& taken) noexcept {
-  const Beginnings<D> begin{stencil.base};
+inline void gather_pack(const Stencil<Pack, D, S>& stencil, const Beginnings<D>& begin,
+                        const BlockPlace<D>& place, const double* tile, Taken<Pack, D, V>& taken) noexcept {
   if (!begin.are_near) return gather_lanes<TileType, Rule>(stencil, place, tile, taken);
   const NearNodes<D, S> nodes{stencil, begin};
   for (std::size_t axis = 0; axis < D; ++axis) {
@@ -306,10 +348,23 @@ inline void gather_pack(const Stencil<Pack, D, S>& stencil, const BlockPlace<D>&
     tile += along * TileType::strides().axis[axis];
   }
   if (begin.are_one[0]) {
-    gather_near<TileType, Rule, S>(nodes, tile, taken);
+    gather_near<TileType, Rule, S>(nodes, stencil, tile, taken);
   } else {
-    gather_near<TileType, Rule, S + 1>(nodes, tile, taken);
+    gather_near<TileType, Rule, S + 1>(nodes, stencil, tile, taken);
   }
+}
+
+/// Where the stencils of the pack of points from p on begin.
+template <Shape ShapeType, int D, int V>
+[[nodiscard]] inline Beginnings<D> beginnings(const PointColumns<D, V, double>& columns,
+                                              const BlockPlace<D>& place, Index p) noexcept {
+  Components<Pack, D> base;
+  for (int j = 0; j < D; ++j) {
+    const auto axis = static_cast<std::size_t>(j);
+    const Pack x = Pack::load(columns.position + j * columns.stride + p);
+    base[axis] = first_node<ShapeType>(x, place.origin[axis], place.inverse_spacing[axis]);
+  }
+  return Beginnings<D>{base};
 }
 
 /// What has become of the points of a block, lane by lane.
@@ -350,7 +405,7 @@ SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& an
                                 double dt) noexcept {
   const auto columns = given_columns;  // copies: stores to points cannot alias them
   const auto place = given_place;
-  using TileType = Tile<D, ShapeType::support, Rule>;
+  using TileType = Tile<D, ShapeType, Rule>;
   const auto shape = *std::get_if<ShapeType>(&any_shape);
   const auto rule = *std::get_if<Rule>(&any_rule);
   TileType tile;
@@ -361,11 +416,21 @@ SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& an
                            for (Index i = 0; i < count; ++i) to[i] = run[i];
                          });
   MotionOfPacks motion;
+  // In a plane one pack ahead, so that the core knows a pack's way before it gets there; in space sums are
+  // long.
+  constexpr bool looks_ahead = D < 3;
+  auto next_begin = beginnings<ShapeType>(columns, place, columns.begin);
   for (Index p = columns.begin; p < columns.end; p += Pack::size) {
+    if constexpr (!looks_ahead) next_begin = beginnings<ShapeType>(columns, place, p);
+    const auto begin = next_begin;
+    if constexpr (looks_ahead) {
+      const Index next = std::min(p + Pack::size, columns.end - Pack::size);
+      next_begin = beginnings<ShapeType>(columns, place, next);
+    }
     const Point<Pack, D, V> point = load(columns, p);
     const auto stencil = stencil_at<Rule, D>(shape, point.position, place.origin, place.inverse_spacing);
     Taken<Pack, D, V> taken;
-    gather_pack<TileType, Rule>(stencil, place, tile.values, taken);
+    gather_pack<TileType, Rule>(stencil, begin, place, tile.values, taken);
     const Point<Pack, D, V> next = take<Rule>(rule, point, taken, dt);
     store(next, columns, p);
     motion.widen(next, place, ShapeType::shift);

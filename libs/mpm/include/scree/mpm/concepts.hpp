@@ -31,6 +31,13 @@ concept Shape = requires(const S shape, double xi) {
   noexcept->std::same_as<double>;
 };
 
+/// A shape whose second moment is the same wherever the point is, 1/inverse_moment: what goes by its affine
+/// weights is N_i times an affine field.
+template <class S>
+concept HasConstantMoment = Shape<S> && requires {
+  { S::inverse_moment } -> std::convertible_to<double>;
+};
+
 /// How velocity travels between points and nodes. `has_affine`: points pass on their velocity gradient too,
 /// by N_i (x_i - x_p). `has_affine_gradient`: forces and the velocity gradient go by the shape's affine
 /// weights, else by its gradients. `increment_share`: how much of a point's new velocity is its old one plus

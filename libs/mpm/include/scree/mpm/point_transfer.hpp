@@ -24,10 +24,12 @@ template <class Real>
 template <class Real, int D, std::size_t S>
 struct Stencil {
   Components<Real, D> base;                   ///< first node
+  Components<Real, D> xi;                     ///< of the point from there [spacings]
   Components<std::array<Real, S>, D> weight;  ///< N_i
   Components<std::array<Real, S>, D> slope;   ///< of forces and of the velocity gradient [1/m]
   Components<std::array<Real, S>, D> arm;     ///< N_i (x_i - x_p) [m], where a rule has need of it
   Components<Real, D> second_moment;          ///< [m^2]
+  Components<Real, D> inverse_moment;         ///< over the spacing, if it is constant [1/m]
 };
 
 /// A material point, as transfers see it.
@@ -51,6 +53,19 @@ struct Given {
   Components<Components<Real, V>, D> force;           ///< [N m]; times dt if it goes to the momentum
 };
 
+/// What a point gives as an affine field times its weights: its value at the first node of the stencil, where
+/// it has been `value` at the point, and its steps from node to node, where it has been slopes.  Eq. (M202)
+template <class Real, int D, int V, std::size_t S>
+inline void turn_to_steps(const Stencil<Real, D, S>& stencil, Components<Real, V>& value,
+                          Components<Components<Real, V>, D>& slope) noexcept {
+  for (std::size_t j = 0; j < D; ++j) {
+    for (std::size_t i = 0; i < V; ++i) {
+      slope[j][i] = slope[j][i] * stencil.inverse_moment[j];
+      value[i] = value[i] - stencil.xi[j] * slope[j][i];
+    }
+  }
+}
+
 /// What the nodes give to a point.
 template <class Real, int D, int V>
 struct Taken {
@@ -58,6 +73,13 @@ struct Taken {
   Components<Real, V> increment;                         ///< of it in this step [m/s]
   Components<Components<Real, V>, D> velocity_gradient;  ///< [1/s]
 };
+
+/// Where the stencil of a point begins along an axis [spacings].
+template <Shape ShapeType, class Real>
+[[nodiscard]] inline Real first_node(const Real& x, double origin, double inverse_spacing) noexcept {
+  using std::floor;
+  return floor(coordinate(x, origin, inverse_spacing, ShapeType::shift));
+}
 
 template <TransferRule Rule, int D, Shape ShapeType, class Real>
 [[nodiscard]] inline Stencil<Real, D, ShapeType::support> stencil_at(
@@ -69,12 +91,16 @@ template <TransferRule Rule, int D, Shape ShapeType, class Real>
     const Real along = coordinate(position[axis], origin[axis], inverse_spacing[axis], ShapeType::shift);
     stencil.base[axis] = floor(along);
     const Real xi = along - stencil.base[axis] + ShapeType::shift;
+    stencil.xi[axis] = xi;
     stencil.weight[axis] = shape.weights(xi);
     stencil.slope[axis] = Rule::has_affine_gradient ? shape.affine(xi) : shape.gradients(xi);
     const double spacing = 1 / inverse_spacing[axis];
     for (std::size_t i = 0; i < ShapeType::support; ++i) {
       stencil.slope[axis][i] = stencil.slope[axis][i] * inverse_spacing[axis];
       stencil.arm[axis][i] = stencil.weight[axis][i] * ((static_cast<double>(i) - xi) * spacing);
+    }
+    if constexpr (HasConstantMoment<ShapeType>) {
+      stencil.inverse_moment[axis] = ShapeType::inverse_moment * inverse_spacing[axis];
     }
     stencil.second_moment[axis] = shape.second_moment(xi) * (spacing * spacing);
   }

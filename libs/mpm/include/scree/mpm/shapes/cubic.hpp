@@ -11,6 +11,7 @@ struct Cubic {
   static constexpr std::string_view name = "cubic";
   static constexpr std::string_view summary = "cubic B-splines, 4 nodes per axis; smoothest, and dearest";
   static constexpr std::size_t support = 4;
+  static constexpr double inverse_moment = 3;
   static constexpr double shift = 1;
 
   template <class Real>

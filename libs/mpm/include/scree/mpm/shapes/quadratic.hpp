@@ -11,6 +11,7 @@ struct Quadratic {
   static constexpr std::string_view summary =
       "quadratic B-splines, 3 nodes per axis; for points that cross cells";
   static constexpr std::size_t support = 3;
+  static constexpr double inverse_moment = 4;
   static constexpr double shift = 0.5;
 
   template <class Real>
