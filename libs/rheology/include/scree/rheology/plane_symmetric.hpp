@@ -30,7 +30,7 @@ struct PlaneSymmetric {
 /// a : a.
 template <class Real>
 [[nodiscard]] constexpr Real squared_norm(const PlaneSymmetric<Real>& a) noexcept {
-  return a.xx * a.xx + a.yy * a.yy + a.zz * a.zz + 2.0 * (a.xy * a.xy);
+  return a.zz * a.zz + 2.0 * (a.xy * a.xy) + a.xx * a.xx + a.yy * a.yy;
 }
 
 /// A deviator of the plane alone: half the difference of xx and yy, and xy.

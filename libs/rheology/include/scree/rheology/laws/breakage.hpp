@@ -87,7 +87,7 @@ struct Breakage {
     const double strain_unit = crushing_pressure() / bulk_modulus;
     const double shape_unit = strain_unit * std::sqrt(bulk_modulus / (3 * shear_modulus));
     const Real compression = deformation.density * (1 / density);  // 1/J
-    const Real total = elementary::log(compression);
+    const Real total = elementary::log_near_one(compression);
     const Form<Real> strain = trial_strain(old.strain, deformation.velocity_gradient, dt);
     const Real size = sqrt((2.0 / 3) * squared_norm(strain));
     const BreakageState<Real> trial{(total - old.compaction) * (1 / strain_unit), size * (1 / shape_unit),

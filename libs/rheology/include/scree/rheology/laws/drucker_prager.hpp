@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <string_view>
 
 namespace scree::rheology {
@@ -62,18 +63,17 @@ struct DruckerPrager {
                                                   Real dt) const noexcept {
     using std::sqrt;
     const Real compression = deformation.density * (1 / density);  // 1/J
-    const Real p = bulk_modulus * elementary::log(compression);    // J times that of Cauchy
-    const Real is_connected = select(p < 0.0, Real(0.0), Real(1.0));
+    // J times that of Cauchy; 0 where grains do not touch, and so is the strain that yields there.
+    const Real p = contact_pressure(Real(bulk_modulus * elementary::log_near_one(compression)));
     const Form<Real> trial = trial_strain(old, deformation.velocity_gradient, dt);
-    const Real strength = friction * contact_pressure(p);
-    const Real tau_squared = (2 * shear_modulus * shear_modulus) * squared_norm(trial);
-    const auto is_elastic = tau_squared <= strength * strength;
+    const Real yield_strain = friction / (std::numbers::sqrt2 * shear_modulus) * p;  // its norm
+    const Real squared = squared_norm(trial);
+    const auto is_elastic = squared <= yield_strain * yield_strain;
     // The quotient and the root do not wait for each other.
-    const Real share = strength / tau_squared * sqrt(tau_squared);
-    const Real kept = is_connected * select(is_elastic, Real(1.0), share);
-    const Form<Real> strain = kept * trial;
+    const Real share = yield_strain / squared * sqrt(squared);
+    const Form<Real> strain = select(is_elastic, Real(1.0), share) * trial;
     const Form<Real> shear = (2.0 * shear_modulus * compression) * strain;
-    return {shear.tensor() - isotropic<Real>(is_connected * compression * p), strain};
+    return {shear.tensor() - isotropic<Real>(compression * p), strain};
   }
 
   /// Speed of pressure waves [m/s] of the unloaded material, and no viscosity.  Eq. (R21)

@@ -82,7 +82,7 @@ struct MohrCoulomb {
     const Symmetric<Real> e{old.xx, old.yy, old.zz, old.xy, old.xz, old.yz};
     const Symmetric<Real> elastic = trial_strain(e, deformation.velocity_gradient, dt);
     auto [strain, axes] = descending(eigen_symmetric(elastic.tensor()));
-    const Real mean_trial = bulk_modulus * (-elementary::log(compression) - old.dilation);
+    const Real mean_trial = bulk_modulus * (-elementary::log_near_one(compression) - old.dilation);
     Principal<Real> trial{};  // J times that of Cauchy
     for (std::size_t i = 0; i < 3; ++i) trial[i] = 2.0 * shear_modulus * strain[i] + mean_trial;
     const Strength strength = strength_at_rest();
