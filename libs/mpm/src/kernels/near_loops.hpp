@@ -69,7 +69,7 @@ struct NearNodes {
   }
 };
 
-/// What the nodes give of one field: sum N_i node, and for each axis j sum b_ij node, or another sum.
+/// What the nodes give of one field: sum N_i node, and for each axis another sum, by b_ij or i N_i.
 template <int Axes>
 struct NearSum {
   Pack value{0};
