@@ -21,12 +21,12 @@ constexpr Threads one_thread{1};
 constexpr double spacing = 0.1;  // [m]
 constexpr double dt = 1e-3;      // [s]
 template <int D>
-constexpr Index num_cells = block_edge<D> + 3;  // along each axis: more than one block of them
+constexpr Index num_cells = block_edge<D> + 5;  // along each axis: more than one block and its skin
 
 /// Where the points of a cloud are: anywhere in the mesh, and far from each other in a pack; or in a cube of
-/// 1.6 cells in its middle as they were sorted, so that most packs' stencils begin at one node or at
-/// neighbours.
-enum class Density { thin, dense };
+/// 1.6 cells, so that most packs' stencils begin at one node or at neighbours, in its middle as they were
+/// sorted, or at the upper end of a block, which they have left together as far as they may.
+enum class Density { thin, dense, leaving };
 
 /// Points with all they have drawn at random; of a thin cloud they have moved since they were sorted, as far
 /// as they may, from open ends as far away as a stencil reaches.
@@ -34,14 +34,17 @@ template <int D, int V>
 struct Cloud {
   Cloud(const Transfer<D, V>& transfer, bool is_periodic, Density density = Density::thin)
       : grid{cube<D>(num_cells<D>, spacing, is_periodic)} {
-    const bool is_dense = density == Density::dense;
+    const bool is_dense = density != Density::thin;
     const double low = is_dense ? (num_cells<D> / 2.0 - 0.8) * spacing : is_periodic ? 0 : 1.5 * spacing;
     const double high = num_cells<D> * spacing - low;
     particles = scattered<D, V>(grid, 200, low);
     fill_at_random(particles.velocity, 1);
     fill_at_random(particles.velocity_gradient, 1 / spacing);
     fill_at_random(particles.stress, 1e4);
+    const double end = (static_cast<double>(transfer.sort_edge()) + transfer.stencil_shift()) * spacing;
+    if (density == Density::leaving) move_all(0.999 * end - high);
     blocks = cell_sort(particles, grid, transfer.stencil_shift(), one_thread, transfer.sort_edge());
+    if (density == Density::leaving) move_all(block_skin<D> * 0.999 * spacing);
     if (is_dense) return;
     std::mt19937 random{29};
     std::uniform_real_distribution<double> draw{-1, 1};
@@ -49,6 +52,10 @@ struct Cloud {
       x += draw(random) * block_skin<D> * 0.999 * spacing;
       if (!is_periodic) x = std::clamp(x, low, high);
     }
+  }
+
+  void move_all(double way) {
+    for (double& x : particles.position.values()) x += way;
   }
 
   CartesianGrid<D> grid;
@@ -60,10 +67,12 @@ struct Cloud {
 /// sum of `num_terms`. A coordinate of up to num_cells and the skin is rounded three times, and no weight
 /// changes by more than 9 per spacing (the affine one, 4 N (i - xi)); weights of up to four take ten
 /// roundings each. A product of weights has D of them, each way; every term of a sum has five roundings more.
+/// Where an affine field goes from node to node, (M202), up to four values along each axis are added up, of
+/// up to three steps each: twelve roundings more of a term.
 template <int D>
 constexpr double apart(double num_terms) {
   constexpr double coordinate = num_cells<D> + block_skin<D>;
-  return 2 * round_off * (D * (9.0 * 3 * coordinate + 4 * 10) + 5 * num_terms);
+  return 2 * round_off * (D * (9.0 * 3 * coordinate + 4 * 10) + (5 + 12 * D) * num_terms);
 }
 
 template <class Dimension>
@@ -126,8 +135,8 @@ TYPED_TEST(EveryKernel, GivesThePointsWhatSingleNumbersGive) {
   this->for_each_kernel([](const Scheme& scheme, InstructionSet set, bool is_periodic, auto velocities) {
     constexpr int V = decltype(velocities)::value;
     const auto transfer = make_transfer<D, V>(scheme.shape, scheme.rule, set);
-    for (const Density density : {Density::thin, Density::dense}) {
-      SCOPED_TRACE(density == Density::dense ? "dense" : "thin");
+    for (const Density density : {Density::thin, Density::dense, Density::leaving}) {
+      SCOPED_TRACE(static_cast<int>(density));
       Cloud<D, V> cloud{*transfer, is_periodic, density};
       auto& [grid, particles, blocks] = cloud;
       Nodes<D> nodes{grid, transfer->record()};

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <experimental/simd>
 #include <limits>
 
 namespace scree::rheology {
@@ -38,6 +40,17 @@ TEST(LogNearOne, HasTheSlopeOfTheLogarithm) {
     const auto dual = elementary::log_near_one(testing::Dual{x, 1});
     EXPECT_NEAR(dual.slope * x, 1, 21 * round_off) << x;
   });
+}
+
+TEST(LogNearOne, GoesLaneByLane) {
+  using Pack = std::experimental::native_simd<double>;
+  const Pack x{[](std::size_t lane) { return lane % 2 == 0 ? 1.02 : 1.3; }};
+
+  const Pack logarithm = elementary::log_near_one(x);
+
+  for (std::size_t lane = 0; lane < Pack::size(); ++lane) {
+    EXPECT_NEAR(logarithm[lane], std::log(x[lane]), 2 * 6 * round_off * std::log(x[lane])) << lane;
+  }
 }
 
 TEST(LogNearOne, AnswersUnsoundNumbersLikeTheLogarithm) {

@@ -90,8 +90,8 @@ mpm::Stages<D, V> make_stages(const Scene& scene, const CartesianGrid<D>& grid,
   stages.stress = std::visit(
       [&](const auto& law) -> std::unique_ptr<mpm::StressUpdate<D, V>> {
         using By = mpm::StressUpdateBy<D, V, std::decay_t<decltype(law)>>;
-        return std::make_unique<By>(law, particles,
-                                    block_kernel(law, widest_instruction_set()));  // all have one
+        // Every law of the list has a kernel for each set.
+        return std::make_unique<By>(law, particles, block_kernel(law, widest_instruction_set()));
       },
       scene.law);
   for (const InitialScene& initial : scene.initial) {

@@ -165,8 +165,8 @@ SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& an
                            for (Index i = 0; i < count; ++i) to[i] = run[i];
                          });
   MotionOfPacks motion;
-  // In a plane one pack ahead, so that the core knows a pack's way before it gets there; in space sums are
-  // long.
+  // The branches on where stencils begin are known a pack ahead, so that none is mispredicted for long; in
+  // space sums take so long that it does not pay.
   constexpr bool looks_ahead = D < 3;
   auto next_begin = beginnings<ShapeType>(columns, place, columns.begin);
   for (Index p = columns.begin; p < columns.end; p += Pack::size) {

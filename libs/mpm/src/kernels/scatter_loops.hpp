@@ -31,7 +31,7 @@ inline void keep_momentum(const Given<Pack, D, V>& given, const Stencil<Pack, D,
   const auto set_down = [](const Pack& first, const Components<Pack, V>& rest, double* fours) {
     to_fours({first, component<V>(rest, 0), component<V>(rest, 1), component<V>(rest, 2)}, fours, stride);
   };
-  Components<Pack, V> momentum;
+  Components<Pack, V> momentum;  // number by number, here as below: packs would be copied in halves
   for (std::size_t i = 0; i < V; ++i) momentum[i] = given.momentum[i];
   Components<Components<Pack, V>, D> slope;
   for (std::size_t j = 0; j < D; ++j) {

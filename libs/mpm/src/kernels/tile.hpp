@@ -23,11 +23,12 @@ struct Tile {
   static constexpr Index edge = TileShape<D, ShapeType::support>::edge;
   /// Zeros follow the nodes of a plane: packs whose stencils begin at neighbours along one axis read one node
   /// more along the other too (Beginnings::are_one).
-  static constexpr Index num_beyond = D == 2 ? edge + 1 : 0;
+  static constexpr Index num_beyond = D == 2 ? edge : 0;
   static constexpr Index num_values =
       (TileShape<D, ShapeType::support>::num_nodes + num_beyond) * Record<Rule>::size;
-  /// What goes by slopes goes by steps from node to node: half the multiply-adds.
-  static constexpr bool by_steps = Rule::has_affine_gradient && HasConstantMoment<ShapeType>;
+  /// What goes by slopes goes by steps from node to node, (M202): half the multiply-adds.
+  static constexpr bool by_steps =
+      Rule::has_affine && Rule::has_affine_gradient && HasConstantMoment<ShapeType>;
   [[nodiscard]] static constexpr Strides<D> strides() noexcept {
     Strides<D> stride{};
     stride.axis[0] = Record<Rule>::size;

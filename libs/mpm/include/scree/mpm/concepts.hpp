@@ -31,8 +31,8 @@ concept Shape = requires(const S shape, double xi) {
   noexcept->std::same_as<double>;
 };
 
-/// A shape whose second moment is the same wherever the point is, 1/inverse_moment: what goes by its affine
-/// weights is N_i times an affine field.
+/// A shape whose second moment is the same wherever the point is, 1/inverse_moment [spacings^2]: what goes by
+/// its affine weights is N_i times an affine field.
 template <class S>
 concept HasConstantMoment = Shape<S> && requires {
   { S::inverse_moment } -> std::convertible_to<double>;

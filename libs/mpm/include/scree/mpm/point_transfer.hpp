@@ -29,7 +29,7 @@ struct Stencil {
   Components<std::array<Real, S>, D> slope;   ///< of forces and of the velocity gradient [1/m]
   Components<std::array<Real, S>, D> arm;     ///< N_i (x_i - x_p) [m], where a rule has need of it
   Components<Real, D> second_moment;          ///< [m^2]
-  Components<Real, D> inverse_moment;         ///< over the spacing, if it is constant [1/m]
+  Components<Real, D> inverse_moment;         ///< spacing over second moment, where constant [1/m]
 };
 
 /// A material point, as transfers see it.

@@ -44,8 +44,8 @@ void require_length(std::string_view law, std::string_view column, std::size_t l
 void require_step(std::string_view law, double dt);
 /// @throws InputError naming law, column, value, point and range, unless all values are in the range.
 void require_values(std::string_view law, const InputColumn& column, std::span<const double> values);
-/// @throws InputError naming law, sum, value and point, unless the first three of the six columns of a tensor
-/// add up to 0 at all points, but for a millionth of its largest component in the batch.
+/// @throws InputError naming law, sum, value and point, unless three columns of six add up to 0 at all
+/// points, but for a millionth of the largest in the batch.
 void require_trace_zero(std::string_view law, std::span<const StateColumn, 6> columns,
                         std::span<const std::span<double>, 6> values);
 
@@ -137,9 +137,8 @@ template <class Law>
 
 /// Brings any number of points up to date over a step: writes their states and stresses, by the law's kernel
 /// for an instruction set. A point gets the same bits wherever it is and however many others there are.
-/// Nothing is allocated, and numbers are not looked at: `validate(law)` checks its parameters and
-/// `validate_columns` what it reads, both worth their time where the numbers come from. What a law has left
-/// in its memory is sound.
+/// Nothing is allocated, and numbers are not looked at: `validate(law)` checks its parameters, and
+/// `validate_columns` what it reads where that comes in; what a law has left in its memory is sound.
 /// @param dt step [s]  @param set one that runs here
 /// @returns the largest speed, viscosity and rate of the points; if its `unsolved` is not 0 the step must not
 /// be taken.
@@ -164,9 +163,8 @@ BlockStiffness update_batch(const Law& law, const LawColumns<Law>& columns, doub
 }
 
 /// Checks every number that a batch reads: velocity gradients and states are finite, densities positive,
-/// inputs in the ranges that the law declares; in a plane, memory that it lacks is 0; a tensor of trace 0
-/// that is remembered (`remembers_deviator`) has no other, up to a millionth of its largest component in the
-/// batch.
+/// inputs in the ranges that the law declares; in a plane, memory that it lacks is 0; the trace of a tensor
+/// that has none (`remembers_deviator`) is 0, up to a millionth of its largest component in the batch.
 /// @throws InputError naming law, column or sum of columns, value, point and range of the first that is not;
 /// law, column and both lengths if a column is not as long as that of the density.
 template <ConstitutiveLaw Law>

@@ -27,7 +27,7 @@ struct PlaneSymmetric {
   }
 };
 
-/// a : a.
+/// a : a; zz first, which turns in the plane do not wait for.
 template <class Real>
 [[nodiscard]] constexpr Real squared_norm(const PlaneSymmetric<Real>& a) noexcept {
   return a.zz * a.zz + 2.0 * (a.xy * a.xy) + a.xx * a.xx + a.yy * a.yy;

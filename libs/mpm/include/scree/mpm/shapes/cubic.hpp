@@ -31,11 +31,12 @@ struct Cubic {
   template <class Real>
   [[nodiscard]] static constexpr std::array<Real, 4> affine(Real xi) noexcept {
     const auto w = weights(xi);
-    return {-3 * w[0] * xi, 3 * w[1] * (1 - xi), 3 * w[2] * (2 - xi), 3 * w[3] * (3 - xi)};
+    return {-inverse_moment * w[0] * xi, inverse_moment * w[1] * (1 - xi), inverse_moment * w[2] * (2 - xi),
+            inverse_moment * w[3] * (3 - xi)};
   }
   template <class Real>
   [[nodiscard]] static constexpr Real second_moment(Real /*xi*/) noexcept {
-    return Real(1.0 / 3);
+    return Real(1 / inverse_moment);
   }
 };
 static_assert(Shape<Cubic>);

@@ -25,11 +25,11 @@ struct Quadratic {
   template <class Real>
   [[nodiscard]] static constexpr std::array<Real, 3> affine(Real xi) noexcept {
     const auto w = weights(xi);
-    return {-4 * w[0] * xi, 4 * w[1] * (1 - xi), 4 * w[2] * (2 - xi)};
+    return {-inverse_moment * w[0] * xi, inverse_moment * w[1] * (1 - xi), inverse_moment * w[2] * (2 - xi)};
   }
   template <class Real>
   [[nodiscard]] static constexpr Real second_moment(Real /*xi*/) noexcept {
-    return Real(0.25);
+    return Real(1 / inverse_moment);
   }
 };
 static_assert(Shape<Quadratic>);

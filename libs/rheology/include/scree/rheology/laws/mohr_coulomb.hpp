@@ -90,7 +90,6 @@ struct MohrCoulomb {
     const Principal<Real> tau =
         mohr_coulomb_return(trial, flow(), Real(strength.limit / compression), tension, stress_rounding());
 
-    const Real mean_stress = (tau[0] + tau[1] + tau[2]) * (1.0 / 3.0);
     const Real is_closed = select(tension - stress_rounding() < tau[2], Real(0.0), Real(1.0));
     const auto is_elastic = tau[0] == trial[0] && tau[1] == trial[1] && tau[2] == trial[2];
     const Real lost = trial[0] - tau[0] + (trial[1] - tau[1]) + (trial[2] - tau[2]);  // 0 if elastic
@@ -98,7 +97,8 @@ struct MohrCoulomb {
     Principal<Real> stress{};
     for (std::size_t i = 0; i < 3; ++i) {
       stress[i] = compression * tau[i];
-      strain[i] = select(is_elastic, strain[i], (tau[i] - mean_stress) * (0.5 / shear_modulus));
+      const Real over_others = (tau[i] - tau[(i + 1) % 3]) + (tau[i] - tau[(i + 2) % 3]);  // 0 at the apex
+      strain[i] = select(is_elastic, strain[i], over_others * (1 / (6 * shear_modulus)));
     }
     const Symmetric<Real> s = symmetric(composed(strain, axes));
     return {composed(stress, axes), {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz, dilation}};
