@@ -121,18 +121,20 @@ template <std::size_t N, int D, std::size_t S, int Axes = D>
   constexpr std::size_t axis = Axes - 1;
   NearSum<Axes> sum;
   for (Pack& along : sum.slope) along = Pack{0};
+  const std::size_t count = num_near<N, axis>(nodes);
+  node += static_cast<std::ptrdiff_t>(count - 1) * stride.axis[axis];
 #pragma GCC unroll 8
-  for (std::size_t i = num_near<N, axis>(nodes); i > 0; --i) {
-    const double* const here = node + static_cast<std::ptrdiff_t>(i - 1) * stride.axis[axis];
+  for (std::size_t i = count; i > 0; --i) {
     const Pack& w = nodes.weight[axis][i - 1];
     sum.slope[axis] = sum.slope[axis] + sum.value;
     if constexpr (axis == 0) {
-      sum.value = sum.value + w * Pack{*here};
+      sum.value = sum.value + w * Pack{*node};
     } else {
-      const auto rest = moments_near<N, D, S, Axes - 1>(nodes, stride, here);
+      const auto rest = moments_near<N, D, S, Axes - 1>(nodes, stride, node);
       sum.value = sum.value + w * rest.value;
       for (std::size_t j = 0; j < axis; ++j) sum.slope[j] = sum.slope[j] + w * rest.slope[j];
     }
+    if (i > 1) node -= stride.axis[axis];
   }
   return sum;
 }
