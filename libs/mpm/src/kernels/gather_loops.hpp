@@ -147,6 +147,22 @@ class MotionOfPacks {
   Pack rate_{0};
 };
 
+/// Copies the nodes of a block, and zeros for what it lacks or what lies beyond.
+template <class TileType, int D>
+inline void read_tile(const TileNodes<D, const double>& nodes, TileType& tile) noexcept {
+  bool lacks_nodes = false;
+  for (const auto& along : nodes.offset) {
+    for (Index i = 0; i < TileType::edge; ++i) lacks_nodes |= along[static_cast<std::size_t>(i)] < 0;
+  }
+  const Index first_zero = lacks_nodes ? 0 : TileType::num_values - TileType::num_beyond_values;
+  std::fill(tile.values + first_zero, tile.values + TileType::num_values, 0.0);
+  for_each_run<TileType>(nodes, TilePart<D>::whole(TileType::edge),
+                         [&](const double* run, Index in_tile, Index count) {
+                           double* to = tile.values + in_tile;
+                           for (Index i = 0; i < count; ++i) to[i] = run[i];
+                         });
+}
+
 template <int D, int V, Shape ShapeType, TransferRule Rule>
 SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& any_rule,
                                 const PointColumns<D, V, double>& given_columns,
@@ -158,31 +174,35 @@ SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& an
   const auto shape = *std::get_if<ShapeType>(&any_shape);
   const auto rule = *std::get_if<Rule>(&any_rule);
   TileType tile;
-  std::fill_n(tile.values, TileType::num_values, 0.0);
-  for_each_run<TileType>(nodes, TilePart<D>::whole(TileType::edge),
-                         [&](const double* run, Index in_tile, Index count) {
-                           double* to = tile.values + in_tile;
-                           for (Index i = 0; i < count; ++i) to[i] = run[i];
-                         });
+  read_tile(nodes, tile);
   MotionOfPacks motion;
-  // The branches on where stencils begin are known a pack ahead, so that none is mispredicted for long; in
-  // space sums take so long that it does not pay.
-  constexpr bool looks_ahead = D < 3;
+  // In space sums take so long that neither a look ahead nor packs together pay.
+  constexpr bool is_short = D < 3;
+  constexpr std::size_t num_together = is_short ? 8 : 1;
+  Taken<Pack, D, V> taken[num_together];
+  // The branches on where stencils begin are known a pack ahead, so that none is mispredicted for long.
   auto next_begin = beginnings<ShapeType>(columns, place, columns.begin);
-  for (Index p = columns.begin; p < columns.end; p += Pack::size) {
-    if constexpr (!looks_ahead) next_begin = beginnings<ShapeType>(columns, place, p);
-    const auto begin = next_begin;
-    if constexpr (looks_ahead) {
-      const Index next = std::min(p + Pack::size, columns.end - Pack::size);
-      next_begin = beginnings<ShapeType>(columns, place, next);
+  for (Index first = columns.begin; first < columns.end;) {
+    // Two loops, so that the next sums do not wait for what ends the chain of these, a quotient.
+    Index p = first;
+    for (std::size_t k = 0; k < num_together && p < columns.end; ++k, p += Pack::size) {
+      if constexpr (!is_short) next_begin = beginnings<ShapeType>(columns, place, p);
+      const auto begin = next_begin;
+      if constexpr (is_short) {
+        const Index next = std::min(p + Pack::size, columns.end - Pack::size);
+        next_begin = beginnings<ShapeType>(columns, place, next);
+      }
+      const auto position = load_position(columns, p);
+      const auto stencil = stencil_at<Rule, D>(shape, position, place.origin, place.inverse_spacing);
+      gather_pack<TileType, Rule>(stencil, begin, place, tile.values, taken[k]);
     }
-    const Point<Pack, D, V> point = load(columns, p);
-    const auto stencil = stencil_at<Rule, D>(shape, point.position, place.origin, place.inverse_spacing);
-    Taken<Pack, D, V> taken;
-    gather_pack<TileType, Rule>(stencil, begin, place, tile.values, taken);
-    const Point<Pack, D, V> next = take<Rule>(rule, point, taken, dt);
-    store(next, columns, p);
-    motion.widen(next, place, ShapeType::shift);
+    p = first;
+    for (std::size_t k = 0; k < num_together && p < columns.end; ++k, p += Pack::size) {
+      const Point<Pack, D, V> next = take<Rule>(rule, load(columns, p), taken[k], dt);
+      store(next, columns, p);
+      motion.widen(next, place, ShapeType::shift);
+    }
+    first = p;
   }
   return motion.of_block();
 }

@@ -10,6 +10,16 @@ namespace scree::mpm::SCREE_INSTRUCTION_SET {
 static_assert(pack_size % Pack::size == 0);
 
 template <int D, int V, class Value>
+[[nodiscard]] inline Components<Pack, D> load_position(const PointColumns<D, V, Value>& columns,
+                                                       Index p) noexcept {
+  Components<Pack, D> position;
+  for (int j = 0; j < D; ++j) {
+    position[static_cast<std::size_t>(j)] = Pack::load(columns.position + j * columns.stride + p);
+  }
+  return position;
+}
+
+template <int D, int V, class Value>
 [[nodiscard]] inline Point<Pack, D, V> load(const PointColumns<D, V, Value>& columns, Index p) noexcept {
   Point<Pack, D, V> point;
   for (int j = 0; j < D; ++j) {

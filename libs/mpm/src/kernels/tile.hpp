@@ -24,8 +24,9 @@ struct Tile {
   /// Zeros follow the nodes of a plane: packs whose stencils begin at neighbours along one axis read one node
   /// more along the other too (Beginnings::are_one).
   static constexpr Index num_beyond = D == 2 ? edge : 0;
+  static constexpr Index num_beyond_values = num_beyond * Record<Rule>::size;
   static constexpr Index num_values =
-      (TileShape<D, ShapeType::support>::num_nodes + num_beyond) * Record<Rule>::size;
+      TileShape<D, ShapeType::support>::num_nodes * Record<Rule>::size + num_beyond_values;
   /// What goes by slopes goes by steps from node to node, (M202): half the multiply-adds.
   static constexpr bool by_steps =
       Rule::has_affine && Rule::has_affine_gradient && HasConstantMoment<ShapeType>;

@@ -10,8 +10,8 @@ namespace scree::mpm {
 /// halo, stay in the first cache.
 template <int D, std::size_t support = 3>
 inline constexpr Index block_edge = D == 1         ? 32
-                                    : D == 2       ? 8
-                                    : support <= 3 ? 4
+                                    : D == 2       ? 16
+                                    : support <= 3 ? 5
                                                    : 5;
 
 /// How far points may go from their block before all are sorted anew [cells]. A tile may be as long as two
