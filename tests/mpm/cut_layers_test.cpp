@@ -166,7 +166,6 @@ class Unmended final : public Transfer<1, 2> {
   explicit Unmended(std::unique_ptr<Transfer<1, 2>> whole) : whole_{std::move(whole)} {}
   [[nodiscard]] NodeRecord record() const noexcept override { return whole_->record(); }
   [[nodiscard]] double stencil_shift() const noexcept override { return whole_->stencil_shift(); }
-  [[nodiscard]] Index sort_edge() const noexcept override { return whole_->sort_edge(); }
   [[nodiscard]] Index tile_edge() const noexcept override { return whole_->tile_edge(); }
   void scatter(const Particles<1, 2>& particles, const ParticleBlock<1>& block, Nodes<1>& nodes,
                double dt) const noexcept override {

@@ -77,8 +77,7 @@ template <int D>
   const auto transfer = make_transfer<D, D>(shape, rule);
   Nodes<D> nodes{grid, transfer->record()};
   const auto walls = box<D>();
-  const ParticleBlocks<D> blocks =
-      cell_sort(particles, grid, transfer->stencil_shift(), {1}, transfer->sort_edge());
+  const ParticleBlocks<D> blocks = cell_sort(particles, grid, transfer->stencil_shift(), {1});
 
   give(particles, blocks, *transfer, walls, nodes);
 
@@ -153,8 +152,7 @@ template <int D>
   const auto transfer = make_transfer<D, D>(shape, rule);
   Nodes<D> nodes{grid, transfer->record()};
   const auto walls = box<D>();
-  const ParticleBlocks<D> blocks =
-      cell_sort(particles, grid, transfer->stencil_shift(), {1}, transfer->sort_edge());
+  const ParticleBlocks<D> blocks = cell_sort(particles, grid, transfer->stencil_shift(), {1});
   give(particles, blocks, *transfer, walls, nodes);
   const NodeRecord layout = nodes.record();
   const int place = layout.has_increment ? layout.increment() : NodeRecord::momentum;
@@ -214,8 +212,7 @@ TEST(CutShapes, TakeThePowerThatTheirForceGives) {  // Eqs. (M10), (M197), at wa
   const auto transfer = make_transfer<1, 1>(Cubic{}, rule);
   Nodes<1> nodes{grid, transfer->record()};
   const auto walls = box<1>();
-  const ParticleBlocks<1> blocks =
-      cell_sort(particles, grid, transfer->stencil_shift(), {1}, transfer->sort_edge());
+  const ParticleBlocks<1> blocks = cell_sort(particles, grid, transfer->stencil_shift(), {1});
   const ParticleBlock<1>& block = blocks.blocks.front();
   transfer->scatter(particles, block, nodes, 1);
   for (const auto& wall : walls) transfer->scatter_cut(particles, block, nodes, *wall->cuts_shapes(), 1);

@@ -41,9 +41,9 @@ struct Cloud {
     fill_at_random(particles.velocity, 1);
     fill_at_random(particles.velocity_gradient, 1 / spacing);
     fill_at_random(particles.stress, 1e4);
-    const double end = (static_cast<double>(transfer.sort_edge()) + transfer.stencil_shift()) * spacing;
+    const double end = (static_cast<double>(block_edge<D>) + transfer.stencil_shift()) * spacing;
     if (density == Density::leaving) move_all(0.999 * end - high);
-    blocks = cell_sort(particles, grid, transfer.stencil_shift(), one_thread, transfer.sort_edge());
+    blocks = cell_sort(particles, grid, transfer.stencil_shift(), one_thread);
     if (density == Density::leaving) move_all(block_skin<D> * 0.999 * spacing);
     if (is_dense) return;
     std::mt19937 random{29};

@@ -60,8 +60,7 @@ struct Carried {
     NodeMeans<D, D> means{shape};
     means.add(particles, "friction", Rubs::inputs[0], Rubs::name);
     nodes.carry(means.size());
-    const auto blocks =
-        cell_sort(particles, grid, transfer->stencil_shift(), one_thread, transfer->sort_edge());
+    const auto blocks = cell_sort(particles, grid, transfer->stencil_shift(), one_thread);
     for (const auto& block : blocks.blocks) transfer->scatter(particles, block, nodes, 0);
     std::array<std::unique_ptr<Boundary<D>>, 1> reader{std::make_unique<ReadsEverywhere<D>>()};
     ReadNodes<D> read;

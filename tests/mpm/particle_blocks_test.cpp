@@ -19,9 +19,9 @@ namespace {
 
 /// All blocks of so many cells along each axis of a mesh, and their colours.
 template <int D>
-ParticleBlocks<D> all_blocks(const CartesianGrid<D>& grid, Index edge = block_edge<D>) {
+ParticleBlocks<D> all_blocks(const CartesianGrid<D>& grid) {
+  constexpr Index edge = block_edge<D>;
   ParticleBlocks<D> blocks;
-  blocks.edge = edge;
   Lattice<D> lattice;
   for (std::size_t axis = 0; axis < D; ++axis) {
     lattice.count[axis] = (grid.num_cells()[axis] + 1 + edge - 1) / edge;
@@ -37,11 +37,10 @@ ParticleBlocks<D> all_blocks(const CartesianGrid<D>& grid, Index edge = block_ed
 
 /// The nodes that points of a block can give to: its skin to either side, and their stencils.
 template <int D>
-std::vector<Index> nodes_of(const ParticleBlock<D>& block, const CartesianGrid<D>& grid, Index edge,
-                            Index support) {
+std::vector<Index> nodes_of(const ParticleBlock<D>& block, const CartesianGrid<D>& grid, Index support) {
   const Lattice<D> nodes = grid.nodes();
   Lattice<D> reached;
-  reached.count.fill(2 * block_skin<D> + edge + support - 1);
+  reached.count.fill(2 * block_skin<D> + block_edge<D> + support - 1);
   std::set<Index> found;
   for (Index r = 0; r < reached.num_sites(); ++r) {
     Indices<D> node = reached.site(r);
@@ -58,17 +57,17 @@ std::vector<Index> nodes_of(const ParticleBlock<D>& block, const CartesianGrid<D
 
 /// Counts every node once for each block of a colour that can give to it.
 template <int D>
-void expect_blocks_of_a_colour_apart(const CartesianGrid<D>& grid, Index edge, Index support) {
-  const auto blocks = all_blocks(grid, edge);
+void expect_blocks_of_a_colour_apart(const CartesianGrid<D>& grid, Index support) {
+  const auto blocks = all_blocks(grid);
   for (const auto& colour : blocks.colours) {
     std::vector<int> users(static_cast<std::size_t>(grid.nodes().num_sites()), 0);
     for (const Index b : colour) {
-      for (const Index node : nodes_of(blocks.blocks[static_cast<std::size_t>(b)], grid, edge, support)) {
+      for (const Index node : nodes_of(blocks.blocks[static_cast<std::size_t>(b)], grid, support)) {
         ++users[static_cast<std::size_t>(node)];
       }
     }
-    EXPECT_LE(std::ranges::max(users), 1) << grid.num_cells()[0] << " cells, blocks of " << edge << " under "
-                                          << support << " nodes, periodic: " << grid.is_periodic()[0];
+    EXPECT_LE(std::ranges::max(users), 1)
+        << grid.num_cells()[0] << " cells under " << support << " nodes, periodic: " << grid.is_periodic()[0];
   }
 }
 
@@ -79,7 +78,7 @@ TYPED_TEST_SUITE(BlocksOfOneColour, Dimensions);
 TYPED_TEST(BlocksOfOneColour, ShareNoNodeUnderAnyShape) {
   constexpr int D = TypeParam::value;
   for (const AnyShape& shape : every<AnyShape>()) {
-    const Index edge = make_transfer<D, D>(shape, Apic{})->sort_edge();
+    constexpr Index edge = block_edge<D>;
     const auto support =
         std::visit([](auto one) { return static_cast<Index>(decltype(one)::support); }, shape);
     for (Index cells = 1; cells <= 6 * edge + 1;
@@ -90,8 +89,7 @@ TYPED_TEST(BlocksOfOneColour, ShareNoNodeUnderAnyShape) {
       for (const bool is_periodic : {false, true}) {
         std::array<bool, D> periodic;
         periodic.fill(is_periodic);
-        expect_blocks_of_a_colour_apart<D>({Vector<D>::Zero(), Vector<D>::Ones(), count, periodic}, edge,
-                                           support);
+        expect_blocks_of_a_colour_apart<D>({Vector<D>::Zero(), Vector<D>::Ones(), count, periodic}, support);
       }
     }
   }
@@ -124,8 +122,7 @@ TEST(ParticleBlocks, AreEachVisitedOnce) {
   }
 }
 
-/// Cubic shapes have larger blocks in 3D than others: a run that goes on must colour them as such.
-TEST(ResumedBlocks, AreThoseOfTheShapeAgain) {
+TEST(ResumedBlocks, HaveTheirColoursAgain) {
   const CartesianGrid<3> grid{Vector<3>::Zero(), Vector<3>::Ones(), {24, 5, 5}, {false, false, false}};
   auto particles = seed_box<3, 3>(grid, Vector<3>{1, 1, 1}, Vector<3>{23, 4, 4}, {1, 1, 1}, 1000);
   const auto stages = stages_of<3, 3>(particles, Cubic{}, Apic{});
@@ -135,7 +132,6 @@ TEST(ResumedBlocks, AreThoseOfTheShapeAgain) {
 
   resume(resumed, stages);
 
-  EXPECT_EQ(resumed.blocks.edge, 5);
   EXPECT_EQ(resumed.blocks.colours, state.blocks.colours);
 }
 

@@ -7,7 +7,7 @@
 namespace scree::app {
 
 /// Of the entries of a checkpoint and their meaning.
-inline constexpr std::int64_t checkpoint_version = 5;
+inline constexpr std::int64_t checkpoint_version = 6;
 
 /// The entry that holds a column of the points.
 [[nodiscard]] inline std::string entry_of(std::string_view column) {

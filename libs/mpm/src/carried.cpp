@@ -107,8 +107,8 @@ CarriedCells<D, V>::CarriedCells(const CartesianGrid<D>& grid, Sites sites, cons
 }
 
 template <int D, int V>
-CarriedBlock<D> CarriedCells<D, V>::opened(const Particles<D, V>& particles, const ParticleBlock<D>& block,
-                                           [[maybe_unused]] Index edge) const noexcept {
+CarriedBlock<D> CarriedCells<D, V>::opened(const Particles<D, V>& particles,
+                                           const ParticleBlock<D>& block) const noexcept {
   const auto part_of = [&](Index place, std::size_t axis) {
     const Index site = site_along(lattice_, place, axis);
     return site < 0 ? Index{-1} : site * lattice_.stride(static_cast<int>(axis));
@@ -117,7 +117,7 @@ CarriedBlock<D> CarriedCells<D, V>::opened(const Particles<D, V>& particles, con
   [[maybe_unused]] const bool is_cells = lattice_.sites == Sites::cells;
   [[maybe_unused]] const double shift =
       is_cells ? 0 : std::visit([](const auto& shape) { return shape.shift; }, shape_);
-  SCREE_ASSERT(is_in_reach(open, shift, edge + 2 * block_skin<D> + (is_cells ? 1 : 0)));
+  SCREE_ASSERT(is_in_reach(open, shift, block_edge<D> + 2 * block_skin<D> + (is_cells ? 1 : 0)));
   return open;
 }
 
@@ -134,7 +134,7 @@ void CarriedCells<D, V>::to_sites(const Particles<D, V>& particles, const Partic
     std::ranges::fill(means.subspan(begin * num_fields, (end - begin) * num_fields), 0.0);
   });
   blocks.for_each_coloured(threads, [&](Index b) {
-    const CarriedBlock<D> block = opened(particles, blocks.blocks[static_cast<std::size_t>(b)], blocks.edge);
+    const CarriedBlock<D> block = opened(particles, blocks.blocks[static_cast<std::size_t>(b)]);
     for (std::size_t first = 0; first <= num_fields; first += 4 * SiteSums::most) {
       kernels.to_sites(shape_, block, sums_of(fields, first, masses, means));
     }
@@ -170,8 +170,7 @@ void CarriedCells<D, V>::to_points(const ParticleBlocks<D>& blocks, const Partic
                            .is_exchange = map == CarriedMap::exchange};
   const auto kernels = detail::kernels_for<D>(set_, lattice_.sites, shape_.index());
   blocks.for_each(threads, [&](Index b) {
-    kernels.to_points(shape_, opened(particles, blocks.blocks[static_cast<std::size_t>(b)], blocks.edge),
-                      change);
+    kernels.to_points(shape_, opened(particles, blocks.blocks[static_cast<std::size_t>(b)]), change);
   });
 }
 

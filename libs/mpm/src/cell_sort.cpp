@@ -18,11 +18,11 @@ namespace {
 /// the mesh: block 0 starts there.
 template <int D>
 struct Numbering {
-  Index edge;  ///< of a block [cells]
+  static constexpr Index edge = block_edge<D>;
   Indices<D> num_blocks{};
   Index cells_per_block = 1;
 
-  Numbering(const CartesianGrid<D>& grid, Index block_edge) : edge{block_edge} {
+  explicit Numbering(const CartesianGrid<D>& grid) {
     for (std::size_t axis = 0; axis < D; ++axis) {
       num_blocks[axis] = (grid.num_cells()[axis] + 1 + edge - 1) / edge;
       cells_per_block *= edge;
@@ -138,7 +138,6 @@ template <int D>
     if (key >= 0) ++next[static_cast<std::size_t>(key)];
   }
   Sorting<D> order;
-  order.blocks.edge = numbering.edge;
   Index place = 0;
   for (Index first = 0; first < numbering.num_keys(); first += numbering.cells_per_block) {
     const Index begin = place;
@@ -167,14 +166,14 @@ template <int D>
 
 template <int D>
 void colour_blocks(ParticleBlocks<D>& blocks, const CartesianGrid<D>& grid) {
-  const Numbering<D> numbering{grid, blocks.edge};
+  const Numbering<D> numbering{grid};
   Index num_colours = 1;
   for (int axis = 0; axis < D; ++axis) num_colours *= 4;
   blocks.colours.assign(static_cast<std::size_t>(num_colours), {});
   for (std::size_t b = 0; b < blocks.blocks.size(); ++b) {
     Index colour = 0;
     for (std::size_t axis = D; axis-- > 0;) {
-      const Index place = (blocks.blocks[b].first_cell[axis] + 1) / blocks.edge;
+      const Index place = (blocks.blocks[b].first_cell[axis] + 1) / block_edge<D>;
       const Index to_last = numbering.num_blocks[axis] - 1 - place;
       // Round a periodic axis the last two blocks also meet the first ones: they stand alone.
       const bool meets_first = grid.is_periodic()[axis] && place > 0 && to_last <= 1;
@@ -187,8 +186,8 @@ void colour_blocks(ParticleBlocks<D>& blocks, const CartesianGrid<D>& grid) {
 
 template <int D, int V>
 ParticleBlocks<D> cell_sort(Particles<D, V>& particles, const CartesianGrid<D>& grid, double stencil_shift,
-                            Threads threads, Index edge) {
-  const Numbering<D> numbering{grid, edge};
+                            Threads threads) {
+  const Numbering<D> numbering{grid};
   Sorting<D> order = order_by(keys_of(particles, grid, stencil_shift, numbering, threads), numbering);
   std::vector<Column*> columns;
   particles.for_each_column([&](Column& column) { columns.push_back(&column); });
@@ -200,7 +199,7 @@ ParticleBlocks<D> cell_sort(Particles<D, V>& particles, const CartesianGrid<D>& 
 }
 
 #define SCREE_INSTANCE(D, V) \
-  template ParticleBlocks<D> cell_sort(Particles<D, V>&, const CartesianGrid<D>&, double, Threads, Index);
+  template ParticleBlocks<D> cell_sort(Particles<D, V>&, const CartesianGrid<D>&, double, Threads);
 SCREE_FOR_EACH_DIMENSION(SCREE_INSTANCE)
 #undef SCREE_INSTANCE
 template void colour_blocks(ParticleBlocks<1>&, const CartesianGrid<1>&);

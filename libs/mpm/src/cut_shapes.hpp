@@ -83,7 +83,7 @@ void for_each_cut(const ShapeType& shape, const double* position, Index stride, 
                   const MeshEnd& end, const Nodes<D>& nodes, Body&& body) noexcept {
   const auto axis = static_cast<std::size_t>(end.axis);
   const CutStencil cut = cut_stencil<D, ShapeType::support>(nodes.grid(), end);
-  const Index beyond_base = block.first_cell[axis] + block_edge<D, ShapeType::support> + block_skin<D>;
+  const Index beyond_base = block.first_cell[axis] + block_edge<D> + block_skin<D>;
   if (cut.base < block.first_cell[axis] - block_skin<D> || beyond_base <= cut.base) return;
   for (Index p = block.begin; p < block.end; ++p) {
     const double along = position[p + end.axis * stride];

@@ -13,13 +13,13 @@ namespace {
 /// one beyond its last one when they were sorted, as far as a stencil may begin before a point, and have
 /// moved by its skin at most.
 template <int D>
-[[nodiscard]] bool may_reach(const ParticleBlock<D>& block, Index edge, const Outflow<D>& outflow,
+[[nodiscard]] bool may_reach(const ParticleBlock<D>& block, const Outflow<D>& outflow,
                              const CartesianGrid<D>& grid) {
   for (int axis = 0; axis < D; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     if (grid.is_periodic()[a]) continue;
     const auto first = static_cast<double>(block.first_cell[a] - block_skin<D>);
-    const auto last = static_cast<double>(block.first_cell[a] + edge + 1 + block_skin<D>);
+    const auto last = static_cast<double>(block.first_cell[a] + block_edge<D> + 1 + block_skin<D>);
     if (outflow.high[axis] < grid.origin()[axis] + first * grid.spacing()[axis] ||
         outflow.low[axis] > grid.origin()[axis] + last * grid.spacing()[axis]) {
       return false;
@@ -60,7 +60,7 @@ Passed<V> take_out(State<D, V>& state, const Outflow<D>& outflow, std::optional<
   Particles<D, V>& particles = state.particles;
   double* const mass = particles.mass.component(0);
   for (const ParticleBlock<D>& block : state.blocks.blocks) {
-    if (!may_reach(block, state.blocks.edge, outflow, state.nodes.grid())) continue;
+    if (!may_reach(block, outflow, state.nodes.grid())) continue;
     for (Index p = block.begin; p < block.end; ++p) {
       if (!(mass[p] > 0) || !is_in(outflow, particles, state.nodes.grid(), p)) continue;
       count_point(particles, p, column, taken);

@@ -32,7 +32,7 @@ template <class ShapeType, int D>
   const auto a = static_cast<std::size_t>(axis);
   const Place at = place_of(x, grid.origin()[axis], 1 / grid.spacing()[axis], ShapeType::shift);
   const Index first = block.first_cell[a] - block_skin<D>;
-  Index last = block.first_cell[a] + block_edge<D, ShapeType::support> + block_skin<D> - 1;
+  Index last = block.first_cell[a] + block_edge<D> + block_skin<D> - 1;
   if (!grid.is_periodic()[a]) {
     last = std::min(last, grid.num_cells()[a] + 2 - static_cast<Index>(ShapeType::support));
   }

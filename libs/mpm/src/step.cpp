@@ -50,8 +50,7 @@ void require_means(const Stages<D, V>& stages) {
 template <int D, int V>
 void detail::sort(State<D, V>& state, const Stages<D, V>& stages, Threads threads) {
   const Stopwatch watch{state.seconds.sort};
-  state.blocks = cell_sort(state.particles, state.nodes.grid(), stages.transfer->stencil_shift(), threads,
-                           stages.transfer->sort_edge());
+  state.blocks = cell_sort(state.particles, state.nodes.grid(), stages.transfer->stencil_shift(), threads);
   use_blocks(state, stages);
 }
 
@@ -155,7 +154,6 @@ State<D, V> start(Particles<D, V> particles, const CartesianGrid<D>& grid, const
 template <int D, int V>
 void resume(State<D, V>& state, const Stages<D, V>& stages) {
   require_means(stages);
-  state.blocks.edge = stages.transfer->sort_edge();
   colour_blocks(state.blocks, state.nodes.grid());
   if (stages.node_means) state.nodes.carry(stages.node_means->size());
   use_blocks(state, stages);

@@ -29,8 +29,6 @@ class TransferBy final : public Transfer<D, V> {
   TransferBy(const AnyShape& shape, const AnyTransfer& rule, InstructionSet set)
       : shape_{shape}, rule_{rule}, kernels_{kernels_for<D, V>(set, shape.index(), rule.index())} {
     support_ = std::visit([](const auto& s) { return s.support; }, shape);
-    sort_edge_ =
-        std::visit([](const auto& s) { return block_edge<D, std::decay_t<decltype(s)>::support>; }, shape);
     shift_ = std::visit([](const auto& s) { return s.shift; }, shape);
     has_affine_ = std::visit([](const auto& r) { return r.has_affine; }, rule);
     has_affine_gradient_ = std::visit([](const auto& r) { return r.has_affine_gradient; }, rule);
@@ -39,8 +37,7 @@ class TransferBy final : public Transfer<D, V> {
 
   [[nodiscard]] NodeRecord record() const noexcept override { return record_; }
   [[nodiscard]] double stencil_shift() const noexcept override { return shift_; }
-  [[nodiscard]] Index sort_edge() const noexcept override { return sort_edge_; }
-  [[nodiscard]] Index tile_edge() const noexcept override { return tile_edge_of<D>(sort_edge_, support_); }
+  [[nodiscard]] Index tile_edge() const noexcept override { return tile_edge_of<D>(support_); }
 
   void scatter(const Particles<D, V>& particles, const ParticleBlock<D>& block, Nodes<D>& nodes,
                double dt) const noexcept override {
@@ -99,7 +96,7 @@ class TransferBy final : public Transfer<D, V> {
       place.origin[axis] = grid.origin()[a];
       place.inverse_spacing[axis] = 1 / grid.spacing()[a];
       place.first_base[axis] = static_cast<double>(block.first_cell[axis] - block_skin<D>);
-      place.beyond_base[axis] = static_cast<double>(block.first_cell[axis] + sort_edge_ + block_skin<D>);
+      place.beyond_base[axis] = static_cast<double>(block.first_cell[axis] + block_edge<D> + block_skin<D>);
       if (grid.is_periodic()[axis]) continue;
       place.low[axis] = grid.origin()[a];
       place.high[axis] = grid.origin()[a] + grid.length(a);
@@ -127,7 +124,6 @@ class TransferBy final : public Transfer<D, V> {
   AnyTransfer rule_;
   TransferKernels<D, V> kernels_;
   std::size_t support_;
-  Index sort_edge_;
   double shift_;
   bool has_affine_;
   bool has_affine_gradient_;

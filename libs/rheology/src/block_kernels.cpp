@@ -17,23 +17,29 @@ namespace scree::rheology::SCREE_INSTRUCTION_SET {
 
 namespace {
 
-/// The points that are computed at once: a register of eight, two of four, or one point.
+/// The points that are computed at once: a register of eight, two of four, or one point; `short_type` where a
+/// law's chain of operations is short, one register.
 template <std::size_t lanes>
 struct NumberOf {
-  using Register = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, lanes>>;
-  using type = std::conditional_t<lanes == 4, TwoPacks<Register>, Register>;
+  using short_type = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, lanes>>;
+  using type = std::conditional_t<lanes == 4, TwoPacks<short_type>, short_type>;
 };
 template <>
 struct NumberOf<1> {
+  using short_type = double;
   using type = double;
 };
 using Number = NumberOf<num_lanes>::type;
+/// Of a law in plane flow. A chain that is cut in two needs none beside it.
+template <class Law>
+using PlaneNumber =
+    std::conditional_t<PredictsAndCorrects<Law>, typename NumberOf<num_lanes>::short_type, Number>;
 
 /// Flattened: all that it calls is part of it, so that no copy for this instruction set is left for the
 /// linker to choose elsewhere.
 template <class Law>
 [[gnu::flatten]] BlockStiffness run(const Law& law, const LawBlock<Law>& block, double dt) noexcept {
-  return update_block<Number>(law, block, dt);
+  return update_block<Number, Law, PlaneNumber<Law>>(law, block, dt);
 }
 
 template <class... Laws>

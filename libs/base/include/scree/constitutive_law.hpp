@@ -68,6 +68,21 @@ concept ConstitutiveLaw = std::is_trivially_copyable_v<Law> &&
   noexcept->std::same_as<Stiffness<double>>;
 };
 
+/// A law whose update is an elastic predictor, its memory if all of the step is elastic, and a corrector,
+/// what flow leaves of it: `update` is `correct` of what `predict` says. A block of points is first
+/// predicted, then corrected: two short chains of operations, of which more points are under way at once than
+/// of a long one.
+template <class Law>
+concept PredictsAndCorrects = ConstitutiveLaw<Law> &&
+    requires(const Law law, const Deformation<double>& deformation,
+             const typename Law::template Input<double>& input,
+             const typename Law::template State<double>& state, double dt) {
+  { law.predict(deformation, state, dt) }
+  noexcept->std::same_as<typename Law::template State<double>>;
+  { law.correct(deformation, input, state, dt) }
+  noexcept->std::same_as<Response<double, typename Law::template State<double>>>;
+};
+
 /// A law with a form for plane flow that is faster, where components of its memory are and stay 0: it updates
 /// a `PlaneState` too, an aggregate of the others, and `plane_states` says which of the `states` they are.
 /// The rest are neither read nor written then.

@@ -105,28 +105,68 @@ struct LaneMaxima {
   }
 };
 
+/// The points of a block by packs of Real, whose memory of State is in `states`.
+template <class Real, class State, class Law>
+class PacksOfBlock {
+ public:
+  using Input = typename Law::template Input<Real>;
+  using Columns = std::array<double*, sizeof(State) / sizeof(Real)>;
+
+  PacksOfBlock(const LawBlock<Law>& block, const Columns& states) : block_{block}, states_{states} {}
+
+  [[nodiscard]] Deformation<Real> deformation(Index p) const noexcept {
+    Deformation<Real> deformation{};
+    for (std::size_t i = 0; i < 9; ++i) {
+      const BlockColumn& column = block_.velocity_gradient[i];
+      deformation.velocity_gradient.components[i] = loaded<Real>(column.values + column.step * p);
+    }
+    deformation.density = loaded<Real>(block_.density + p);
+    return deformation;
+  }
+  [[nodiscard]] Input input(Index p) const noexcept { return loaded_from<Input, Real>(block_.inputs, p); }
+  [[nodiscard]] State state(Index p) const noexcept { return loaded_from<State, Real>(states_, p); }
+  void store_state(const State& state, Index p) const noexcept { store_members<Real>(state, states_, p); }
+  void store(const Response<Real, State>& response, Index p) const noexcept {
+    store_state(response.state, p);
+    store_members<Real>(response.stress.components, block_.stress, p);
+  }
+
+ private:
+  const LawBlock<Law>& block_;
+  const Columns& states_;
+};
+
 /// Brings the points of a block up to date, whose memory is in `states`.
 template <class Real, class State, class Law, std::size_t N>
 BlockStiffness update_points(const Law& law, const LawBlock<Law>& block, const std::array<double*, N>& states,
                              double dt) noexcept {
-  using Input = typename Law::template Input<Real>;
   static_assert(pack_size % num_lanes<Real> == 0);
+  constexpr auto lanes = static_cast<Index>(num_lanes<Real>);
   const Law parameters = law;  // a copy, which the columns that are written cannot be part of
+  const PacksOfBlock<Real, State, Law> packs{block, states};
   LaneMaxima<Real> worst;
-  for (Index p = 0; p < block.num_points; p += static_cast<Index>(num_lanes<Real>)) {
-    Deformation<Real> deformation{};
-    for (std::size_t i = 0; i < 9; ++i) {
-      const BlockColumn& column = block.velocity_gradient[i];
-      deformation.velocity_gradient.components[i] = loaded<Real>(column.values + column.step * p);
+  constexpr Index together = PredictsAndCorrects<Law> ? 8 * pack_size : lanes;  // memory stays in cache
+  for (Index first = 0; first < block.num_points; first += together) {
+    const Index last = std::min(first + together, block.num_points);
+    if constexpr (PredictsAndCorrects<Law>) {
+      for (Index p = first; p < last; p += lanes) {
+        packs.store_state(parameters.predict(packs.deformation(p), packs.state(p), Real(dt)), p);
+      }
     }
-    deformation.density = loaded<Real>(block.density + p);
-    const auto input = loaded_from<Input, Real>(block.inputs, p);
-    const auto old = loaded_from<State, Real>(states, p);
-    const auto response = parameters.update(deformation, input, old, Real(dt));
-    worst.widen(parameters.stiffness(deformation, input, response.state), deformation.density,
-                response.unsolved, p);
-    store_members<Real>(response.state, states, p);
-    store_members<Real>(response.stress.components, block.stress, p);
+    for (Index p = first; p < last; p += lanes) {
+      const Deformation<Real> deformation = packs.deformation(p);
+      const auto input = packs.input(p);
+      const auto response = [&] {
+        if constexpr (PredictsAndCorrects<Law>) {
+          return parameters.correct(deformation, input, packs.state(p), Real(dt));
+        } else {
+          return parameters.update(deformation, input, packs.state(p), Real(dt));
+        }
+      }();
+      worst.widen(parameters.stiffness(deformation, input, response.state), deformation.density,
+                  response.unsolved, p);
+      packs.store(response, p);
+    }
   }
   return worst.reduced();
 }
@@ -138,16 +178,17 @@ BlockStiffness update_points(const Law& law, const LawBlock<Law>& block, const s
 /// and contraction of products and sums. A block in plane flow is run by the law's form for that, if it has
 /// one.
 /// @tparam Real double, or a pack of up to `pack_size` doubles (std::experimental::simd)
+/// @tparam PlaneReal the same for a law's form for plane flow
 /// @see BlockKernel
-template <class Real, class Law>
+template <class Real, class Law, class PlaneReal = Real>
 [[gnu::flatten]] BlockStiffness update_block(const Law& law, const LawBlock<Law>& block, double dt) noexcept {
   if constexpr (HasPlaneForm<Law>) {
     if (is_plane(block)) {
-      using State = typename Law::template PlaneState<Real>;
+      using State = typename Law::template PlaneState<PlaneReal>;
       std::array<double*, Law::plane_states.size()> states;
       const auto column = [&](std::size_t i) { return block.states[i]; };
       std::ranges::transform(Law::plane_states, states.begin(), column);
-      return detail::update_points<Real, State>(law, block, states, dt);
+      return detail::update_points<PlaneReal, State>(law, block, states, dt);
     }
   }
   using State = typename Law::template State<Real>;

@@ -12,8 +12,7 @@ namespace scree::mpm {
 /// one, as far as points go in the blocks of any shape.
 template <int D, std::size_t S>
 struct SiteTile {
-  static constexpr Index edge =
-      S == 1 ? tile_edge_of<D>(block_edge<D, max_support>, 2) : TileShape<D, S>::edge;
+  static constexpr Index edge = S == 1 ? tile_edge_of<D>(2) : TileShape<D, S>::edge;
   static constexpr Index num_sites = D == 1 ? edge : D == 2 ? edge * edge : edge * edge * edge;
 };
 

@@ -147,6 +147,18 @@ class MotionOfPacks {
   Pack rate_{0};
 };
 
+/// What becomes of the points from `first` up to but not `end`.
+template <Shape ShapeType, TransferRule Rule, int D, int V>
+inline void take_packs(const Rule& rule, const PointColumns<D, V, double>& columns,
+                       const BlockPlace<D>& place, Index first, Index end, const Taken<Pack, D, V>* taken,
+                       double dt, MotionOfPacks& motion) noexcept {
+  for (Index p = first; p < end; p += Pack::size, ++taken) {
+    const Point<Pack, D, V> next = take<Rule>(rule, load(columns, p), *taken, dt);
+    store(next, columns, p);
+    motion.widen(next, place, ShapeType::shift);
+  }
+}
+
 /// Copies the nodes of a block, and zeros for what it lacks or what lies beyond.
 template <class TileType, int D>
 inline void read_tile(const TileNodes<D, const double>& nodes, TileType& tile) noexcept {
@@ -176,16 +188,16 @@ SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& an
   TileType tile;
   read_tile(nodes, tile);
   MotionOfPacks motion;
-  // In space sums take so long that neither a look ahead nor packs together pay.
+  // Some packs at once, so that the next sums do not wait for what ends a chain; and the branches on where
+  // stencils begin are known a pack ahead, so that none is mispredicted for long. In space, where sums are
+  // long, neither pays.
   constexpr bool is_short = D < 3;
-  constexpr std::size_t num_together = is_short ? 8 : 1;
-  Taken<Pack, D, V> taken[num_together];
-  // The branches on where stencils begin are known a pack ahead, so that none is mispredicted for long.
+  constexpr Index at_once = (is_short ? 8 : 1) * Pack::size;
+  Taken<Pack, D, V> taken[static_cast<std::size_t>(at_once / Pack::size)];
   auto next_begin = beginnings<ShapeType>(columns, place, columns.begin);
-  for (Index first = columns.begin; first < columns.end;) {
-    // Two loops, so that the next sums do not wait for what ends the chain of these, a quotient.
-    Index p = first;
-    for (std::size_t k = 0; k < num_together && p < columns.end; ++k, p += Pack::size) {
+  for (Index first = columns.begin; first < columns.end; first += at_once) {
+    const Index end = is_short ? std::min(first + at_once, columns.end) : first + at_once;
+    for (Index p = first; p < end; p += Pack::size) {
       if constexpr (!is_short) next_begin = beginnings<ShapeType>(columns, place, p);
       const auto begin = next_begin;
       if constexpr (is_short) {
@@ -194,15 +206,9 @@ SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& an
       }
       const auto position = load_position(columns, p);
       const auto stencil = stencil_at<Rule, D>(shape, position, place.origin, place.inverse_spacing);
-      gather_pack<TileType, Rule>(stencil, begin, place, tile.values, taken[k]);
+      gather_pack<TileType, Rule>(stencil, begin, place, tile.values, taken[(p - first) / Pack::size]);
     }
-    p = first;
-    for (std::size_t k = 0; k < num_together && p < columns.end; ++k, p += Pack::size) {
-      const Point<Pack, D, V> next = take<Rule>(rule, load(columns, p), taken[k], dt);
-      store(next, columns, p);
-      motion.widen(next, place, ShapeType::shift);
-    }
-    first = p;
+    take_packs<ShapeType>(rule, columns, place, first, end, taken, dt, motion);
   }
   return motion.of_block();
 }

@@ -122,7 +122,7 @@ template <std::size_t N, int D, std::size_t S, int Axes = D>
   NearSum<Axes> sum;
   for (Pack& along : sum.slope) along = Pack{0};
   const std::size_t count = num_near<N, axis>(nodes);
-  node += static_cast<std::ptrdiff_t>(count - 1) * stride.axis[axis];
+  node += static_cast<std::ptrdiff_t>(count - 1) * stride.axis[axis];  // and back: a place by i costs a fifth
 #pragma GCC unroll 8
   for (std::size_t i = count; i > 0; --i) {
     const Pack& w = nodes.weight[axis][i - 1];

@@ -15,8 +15,8 @@ namespace scree::mpm {
 template <int D, std::size_t S>
 struct TileShape {
   static_assert(S <= max_support);
-  static constexpr Index edge = tile_edge_of<D>(block_edge<D, S>, S);
-  static_assert(edge <= 2 * block_edge<D, S>, "blocks of one colour would share nodes");
+  static constexpr Index edge = tile_edge_of<D>(S);
+  static_assert(edge <= 2 * block_edge<D>, "blocks of one colour would share nodes");
   static constexpr Index num_nodes = D == 1 ? edge : D == 2 ? edge * edge : edge * edge * edge;
 };
 
@@ -33,7 +33,7 @@ struct BlockPlace {
 
 /// Edge of the largest tile.
 template <int D>
-inline constexpr std::size_t max_tile_edge = tile_edge_of<D>(block_edge<D, max_support>, max_support);
+inline constexpr std::size_t max_tile_edge = tile_edge_of<D>(max_support);
 
 /// The nodes of a tile in the mesh: where the record of node (i, j, k) begins, offset[0][i] + offset[1][j] +
 /// ..; an axis has no node where its offset is negative.

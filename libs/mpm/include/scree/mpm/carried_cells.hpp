@@ -56,8 +56,8 @@ class CarriedCells {
                  Threads threads);
 
  private:
-  [[nodiscard]] CarriedBlock<D> opened(const Particles<D, V>& particles, const ParticleBlock<D>& block,
-                                       Index edge) const noexcept;
+  [[nodiscard]] CarriedBlock<D> opened(const Particles<D, V>& particles,
+                                       const ParticleBlock<D>& block) const noexcept;
 
   CartesianGrid<D> grid_;
   Lattice<D> lattice_;

@@ -32,7 +32,6 @@ void for_each_coloured(const std::vector<std::vector<Index>>& colours, Threads t
 template <int D>
 struct ParticleBlocks {
   std::vector<ParticleBlock<D>> blocks;
-  Index edge = block_edge<D>;  ///< of each block [cells]
   std::vector<std::vector<Index>> colours;
 
   /// Calls body(block index) for every block, colour after colour.

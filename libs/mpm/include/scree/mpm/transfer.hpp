@@ -24,8 +24,6 @@ class Transfer {
 
   [[nodiscard]] virtual NodeRecord record() const noexcept = 0;
   [[nodiscard]] virtual double stencil_shift() const noexcept = 0;
-  /// Edge of the blocks that points are to be sorted into [cells].
-  [[nodiscard]] virtual Index sort_edge() const noexcept = 0;
   /// Nodes along each axis that a block's points can reach, from `block_skin` before its first cell on.
   [[nodiscard]] virtual Index tile_edge() const noexcept = 0;
 

@@ -59,13 +59,27 @@ struct DruckerPrager {
   /// Cauchy stress [Pa] and elastic strain at the end of the step.
   template <class Real, template <class> class Form>
   [[nodiscard]] Response<Real, Form<Real>> update(const Deformation<Real>& deformation,
-                                                  const Input<Real>& /*input*/, const Form<Real>& old,
+                                                  const Input<Real>& input, const Form<Real>& old,
                                                   Real dt) const noexcept {
+    return correct(deformation, input, predict(deformation, old, dt), dt);
+  }
+
+  /// The elastic strain if all of the step is elastic.
+  template <class Real, template <class> class Form>
+  [[nodiscard]] Form<Real> predict(const Deformation<Real>& deformation, const Form<Real>& old,
+                                   Real dt) const noexcept {
+    return trial_strain(old, deformation.velocity_gradient, dt);
+  }
+
+  /// What yield leaves of it.
+  template <class Real, template <class> class Form>
+  [[nodiscard]] Response<Real, Form<Real>> correct(const Deformation<Real>& deformation,
+                                                   const Input<Real>& /*input*/, const Form<Real>& trial,
+                                                   Real /*dt*/) const noexcept {
     using std::sqrt;
     const Real compression = deformation.density * (1 / density);  // 1/J
     // J times that of Cauchy; 0 where grains do not touch, and so is the strain that yields there.
     const Real p = contact_pressure(Real(bulk_modulus * elementary::log_near_one(compression)));
-    const Form<Real> trial = trial_strain(old, deformation.velocity_gradient, dt);
     const Real yield_strain = friction / (std::numbers::sqrt2 * shear_modulus) * p;  // its norm
     const Real squared = squared_norm(trial);
     const auto is_elastic = squared <= yield_strain * yield_strain;

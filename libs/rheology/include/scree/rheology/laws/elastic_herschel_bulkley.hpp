@@ -62,14 +62,28 @@ struct ElasticHerschelBulkley {
   /// Cauchy stress and its deviator at the end of the step [Pa].
   template <class Real, template <class> class Form>
   [[nodiscard]] Response<Real, Form<Real>> update(const Deformation<Real>& deformation,
-                                                  const Input<Real>& /*input*/, const Form<Real>& old,
+                                                  const Input<Real>& input, const Form<Real>& old,
                                                   Real dt) const noexcept {
-    using std::sqrt;
+    return correct(deformation, input, predict(deformation, old, dt), dt);
+  }
+
+  /// The deviator of stress [Pa] if all of the step is elastic.
+  template <class Real, template <class> class Form>
+  [[nodiscard]] Form<Real> predict(const Deformation<Real>& deformation, const Form<Real>& old,
+                                   Real dt) const noexcept {
     const Tensor<Real>& gradient = deformation.velocity_gradient;
+    const Form<Real> half = Form<Real>::of(Real(shear_modulus * dt) * deviatoric_rate(gradient));
+    return turned(old + half, gradient, dt) + half;
+  }
+
+  /// What flow leaves of it.
+  template <class Real, template <class> class Form>
+  [[nodiscard]] Response<Real, Form<Real>> correct(const Deformation<Real>& deformation,
+                                                   const Input<Real>& /*input*/, const Form<Real>& trial,
+                                                   Real dt) const noexcept {
+    using std::sqrt;
     const Real p = pressure(deformation.density, density, bulk_modulus);
     const Real is_connected = select(p < 0.0, Real(0.0), Real(1.0));
-    const Form<Real> half = Form<Real>::of(Real(shear_modulus * dt) * deviatoric_rate(gradient));
-    const Form<Real> trial = turned(old + half, gradient, dt) + half;
     const Real tau_trial = sqrt(0.5 * squared_norm(trial));
     const Real excess = tau_trial - yield_stress;
     const Share<Real> left = share_left(excess, Real(shear_modulus * dt));
