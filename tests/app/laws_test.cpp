@@ -105,7 +105,7 @@ TEST(EveryLaw, HasTheSameBitsForAnyNumberOfThreads) {
     using Law = typename decltype(entry)::type;
     SCOPED_TRACE(Law::name);
     const auto after_steps = [](int num_threads) {
-      Layer<Law> layer{rheology::typical<Law>(), 24, 2};  // three blocks
+      Layer<Law> layer{rheology::typical<Law>(), 80, 2};  // six blocks, two each of two colours
       for (int i = 0; i < 5; ++i) layer.step({num_threads});
       return numbers_of(layer.state->particles);
     };

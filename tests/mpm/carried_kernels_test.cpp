@@ -19,13 +19,14 @@ namespace scree::mpm {
 namespace {
 
 constexpr Threads one_thread{1};
-constexpr Index num_cells = 9;   // along each axis: more than one block of them in three dimensions
-constexpr double spacing = 0.1;  // [m]
+template <int D>
+constexpr Index num_cells = block_edge<D> + 5;  // along each axis: more than one block and its skin
+constexpr double spacing = 0.1;                 // [m]
 
 /// Points in any place of the mesh that have moved since they were sorted, as far as they may.
 template <int D>
 struct Cloud {
-  Cloud(bool is_periodic, int num_classes, double shift) : grid{cube<D>(num_cells, spacing, is_periodic)} {
+  Cloud(bool is_periodic, int num_classes, double shift) : grid{cube<D>(num_cells<D>, spacing, is_periodic)} {
     particles = scattered<D>(grid, 300, 0);
     column = particles.add_column({"size_fractions", "phi", "-"}, num_classes);
     std::mt19937 random{29};
@@ -38,7 +39,7 @@ struct Cloud {
     blocks = cell_sort(particles, grid, shift, one_thread);
     for (double& x : particles.position.values()) {
       const double moved = x + (2 * draw(random) - 1) * block_skin<D> * 0.999 * spacing;
-      x = is_periodic ? moved : std::clamp(moved, 0.0, num_cells * spacing);
+      x = is_periodic ? moved : std::clamp(moved, 0.0, num_cells<D> * spacing);
     }
   }
   [[nodiscard]] Column& fractions() { return particles.column(column); }
@@ -127,11 +128,11 @@ class ReferenceCarried {
   Lattice<D> lattice_;
 };
 
-/// How far two ways of rounding can be apart for a weight of a point: a coordinate of up to num_cells and the
-/// skin is rounded three times, and no weight changes by more than one per spacing; it takes ten roundings
-/// itself. A product has D of them, each way.
+/// How far two ways of rounding can be apart for a weight of a point: a coordinate of up to num_cells<D> and
+/// the skin is rounded three times, and no weight changes by more than one per spacing; it takes ten
+/// roundings itself. A product has D of them, each way.
 template <int D>
-constexpr double apart = 2 * round_off* D*(3.0 * (num_cells + block_skin<D>)+10);
+constexpr double apart = 2 * round_off* D*(3.0 * (num_cells<D> + block_skin<D>)+10);
 
 template <class S, int D>
 void expect_sums_of_single_numbers(Sites sites, const AnyShape& shape, InstructionSet set, bool is_periodic,

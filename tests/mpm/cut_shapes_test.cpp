@@ -112,7 +112,7 @@ TEST(CutShapes, GiveEveryNodeAnAffineVelocity) {  // Eq. (M183), at walls, edges
 /// Of blocks whose points reach past a wall, the one at low x or the one at high y, places are kept as they
 /// were when points gathered, and of no others.
 TEST(CutShapes, KeepPlacesOfPointsBesideThemAlone) {
-  constexpr Index num_cells = 48;
+  constexpr Index num_cells = 6 * block_edge<2>;
   constexpr double untouched = -1;
   const auto grid = cube<2>(num_cells, 1, false);
   auto particles = filled<2>(grid, 1);

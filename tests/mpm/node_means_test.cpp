@@ -336,9 +336,9 @@ TEST(CarriedFriction, IsReadInPassesThatOnlyMapVelocities) {
   }
 }
 
-/// A layer of 8 x 2 blocks of cells.
+/// A layer of 9 x 3 blocks of cells.
 TEST(CarriedFriction, HasTheSameBitsForAnyNumberOfThreads) {
-  const CartesianGrid<2> grid{Vector<2>::Zero(), Vector<2>{0.1, 0.1}, {64, 16}, {true, false}};
+  const CartesianGrid<2> grid{Vector<2>::Zero(), Vector<2>{0.1, 0.1}, {128, 32}, {true, false}};
   const auto made_by = [&](Threads threads) {
     auto particles = filled<2>(grid, 2);
     fill_at_random(particles.velocity, 1.0);
@@ -420,8 +420,8 @@ TEST(CarriedFriction, HasTheBitsOfMeansAtAllNodes) {
   expect_the_bits_of_means_everywhere<3>(Quadratic{});
 }
 
-/// Blocks of 8 x 8 cells, of which the first begins one before the mesh, so that 17 x 5 have points of 128 x
-/// 32 cells. The lowest row reaches the wall; the next, from cell 7 on, down to node 6.
+/// Blocks of 16 x 16 cells, of which the first begins one before the mesh, so that 9 x 3 have points of 128 x
+/// 32 cells. The lowest row reaches the wall; the next, from cell 15 on, down to node 13 with its skin.
 TEST(ReadNodes, OfAWallAreGivenToByTheBlocksBesideIt) {
   const CartesianGrid<2> grid{Vector<2>::Zero(), Vector<2>{0.1, 0.1}, {128, 32}, {true, false}};
   auto particles = filled<2>(grid, 2);
@@ -435,10 +435,10 @@ TEST(ReadNodes, OfAWallAreGivenToByTheBlocksBesideIt) {
 
   const auto state = start(std::move(particles), grid, stages, one_thread);
 
-  EXPECT_EQ(state.blocks.blocks.size(), 17U * 5);
+  EXPECT_EQ(state.blocks.blocks.size(), 9U * 3);
   std::size_t num_visited = 0;
   for (const auto& colour : state.read.colours()) num_visited += colour.size();
-  EXPECT_EQ(num_visited, 17U);
+  EXPECT_EQ(num_visited, 9U);
   ASSERT_EQ(state.read.nodes().size(), 128U);
   for (const Index n : state.read.nodes()) EXPECT_EQ(n / state.nodes.stride(1), 1);  // past the images
 }

@@ -96,13 +96,16 @@ struct Basin {
   [[nodiscard]] PressureError pressure_error() const {
     PressureError error;
     const auto& particles = state->particles;
+    double num_points = 0;
     for (Index p = 0; p < particles.size(); ++p) {
+      if (!(particles.mass.component(0)[p] > 0)) continue;
       const double rest = 1000 * gravity * (depth - particles.position.component(1)[p]);
       const double off = (-particles.stress.component(0)[p] - rest) / (1000 * gravity * depth);
-      error.rms += off * off / static_cast<double>(particles.size());
+      error.rms += off * off;
       error.worst = std::max(error.worst, std::abs(off));
+      ++num_points;
     }
-    return {std::sqrt(error.rms), error.worst};
+    return {std::sqrt(error.rms / num_points), error.worst};
   }
   Stages<2, 2> stages;
   std::unique_ptr<State<2, 2>> state;
@@ -182,11 +185,11 @@ TEST(PoolOnABed, IsAtRestIfAllNodesAreHeldThatFeelTheBed) {  // Eq. (M61)
     }
   };
 
-  expect_errors(Linear{}, {{0, {0.57, 0.01}, {3.9, 0.1}},
+  expect_errors(Linear{}, {{0, {0.56, 0.01}, {3.9, 0.1}},
                            {0.5, {0.04, 0.01}, {0.42, 0.01}},
                            {1, {1e-4, 1e-4}, {4e-4, 1e-4}},
                            {1.5, {1e-4, 1e-4}, {4e-4, 1e-4}}});
-  expect_errors(Quadratic{}, {{0, {0.44, 0.01}, {3.7, 0.1}},
+  expect_errors(Quadratic{}, {{0, {0.43, 0.01}, {3.7, 0.1}},
                               {0.5, {0.07, 0.01}, {0.60, 0.01}},
                               {1, {0.002, 1e-3}, {0.02, 0.01}},
                               {1.5, {0.001, 1e-3}, {0.004, 1e-3}}});

@@ -88,7 +88,7 @@ struct StirredUnder {
   void advance(int num_steps, Threads threads) {
     for (int n = 0; n < num_steps; ++n) step(*state, stages, 2e-3, threads);
   }
-  CartesianGrid<D> grid = cube<D>(D == 1 ? 320 : D == 2 ? 40 : 20, 0.1, true);  // several blocks of a colour
+  CartesianGrid<D> grid = cube<D>(D == 1 ? 320 : D == 2 ? 80 : 20, 0.1, true);  // several blocks of a colour
   Stages<D, D> stages;
   std::unique_ptr<State<D, D>> state;
 };
@@ -135,8 +135,8 @@ class NothingToSolve final : public NodeSolve<2, 2> {
 
 TEST(Step, NeedsNoOtherNodesThanThoseNearPoints) {
   const auto thrown = [](bool with_all_nodes, int num_steps) {
-    const auto grid = cube<2>(60, 0.1, false);
-    auto particles = scattered<2>(grid, 300, 2.6);  // [m]: eight cells of sixty
+    const auto grid = cube<2>(100, 0.1, false);
+    auto particles = scattered<2>(grid, 300, 4.6);  // [m]: eight cells of a hundred
     for (Index p = 0; p < particles.size(); ++p) particles.velocity.component(0)[p] = 1;
     auto stages = stages_of<2, 2>(particles, Quadratic{}, PicFlip{}, mud);
     stages.gravity = {0, -2};
@@ -158,7 +158,7 @@ TEST(Step, NeedsNoOtherNodesThanThoseNearPoints) {
     return nodes;
   };
   EXPECT_LT(count(thrown(false, 0)),
-            count(thrown(true, 0)) / 4);  // nine blocks with their halo, 28^2 nodes at most, of 63^2
+            count(thrown(true, 0)) / 4);  // four blocks with their halo, 38^2 nodes at most, of 103^2
 
   const auto some = thrown(false, 1500);  // it flies, lands and slides
   const auto all = thrown(true, 1500);

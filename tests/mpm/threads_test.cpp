@@ -126,7 +126,7 @@ template <int D>
 /// Points in several blocks of each colour, some of which pass the ends if those let them.
 template <int D>
 [[nodiscard]] State<D, D> stirred(const Surroundings<D>& surroundings, Threads threads) {
-  const auto grid = cube<D>(D == 2 ? 40 : 20, 0.1, false);
+  const auto grid = cube<D>(D == 2 ? 64 : 20, 0.1, false);
   auto particles = scattered<D>(grid, 2000, 0.02);
   fill_at_random(particles.velocity, 1.0);
   auto stages = stages_of<D, D>(particles, surroundings.shape, surroundings.rule, mud);

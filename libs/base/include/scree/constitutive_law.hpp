@@ -69,9 +69,9 @@ concept ConstitutiveLaw = std::is_trivially_copyable_v<Law> &&
 };
 
 /// A law whose update is an elastic predictor, its memory if all of the step is elastic, and a corrector,
-/// what flow leaves of it: `update` is `correct` of what `predict` says. A block of points is first
-/// predicted, then corrected: two short chains of operations, of which more points are under way at once than
-/// of a long one.
+/// what flow leaves of it: `update` is `correct` of what `predict` says, of a `PlaneState` too if the law has
+/// one. A block of points is first predicted, then corrected: two short chains of operations, of which more
+/// points are under way at once than of a long one.
 template <class Law>
 concept PredictsAndCorrects = ConstitutiveLaw<Law> &&
     requires(const Law law, const Deformation<double>& deformation,

@@ -9,7 +9,7 @@
 namespace scree::mpm {
 
 /// The sites that a block's points can reach, as TileShape has nodes: mesh cells, of which each point has
-/// one, as far as points go in the blocks of any shape.
+/// one, as far as points go.
 template <int D, std::size_t S>
 struct SiteTile {
   static constexpr Index edge = S == 1 ? tile_edge_of<D>(2) : TileShape<D, S>::edge;

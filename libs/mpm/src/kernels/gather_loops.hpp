@@ -159,22 +159,6 @@ inline void take_packs(const Rule& rule, const PointColumns<D, V, double>& colum
   }
 }
 
-/// Copies the nodes of a block, and zeros for what it lacks or what lies beyond.
-template <class TileType, int D>
-inline void read_tile(const TileNodes<D, const double>& nodes, TileType& tile) noexcept {
-  bool lacks_nodes = false;
-  for (const auto& along : nodes.offset) {
-    for (Index i = 0; i < TileType::edge; ++i) lacks_nodes |= along[static_cast<std::size_t>(i)] < 0;
-  }
-  const Index first_zero = lacks_nodes ? 0 : TileType::num_values - TileType::num_beyond_values;
-  std::fill(tile.values + first_zero, tile.values + TileType::num_values, 0.0);
-  for_each_run<TileType>(nodes, TilePart<D>::whole(TileType::edge),
-                         [&](const double* run, Index in_tile, Index count) {
-                           double* to = tile.values + in_tile;
-                           for (Index i = 0; i < count; ++i) to[i] = run[i];
-                         });
-}
-
 template <int D, int V, Shape ShapeType, TransferRule Rule>
 SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& any_rule,
                                 const PointColumns<D, V, double>& given_columns,

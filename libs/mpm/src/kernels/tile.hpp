@@ -4,6 +4,8 @@
 #include "tile_part.hpp"
 #include "transfer_kernels.hpp"
 
+#include <algorithm>
+
 /// The nodes of a block in cache, and their way there and back.
 namespace scree::mpm::SCREE_INSTRUCTION_SET {
 
@@ -66,6 +68,22 @@ inline void for_each_run(const TileNodes<D, Value>& nodes, const TilePart<D>& pa
       body(nodes.values + place + runs[r].place, in_tile + runs[r].in_tile, runs[r].count);
     }
   });
+}
+
+/// Copies the nodes of a block, and zeros for what it lacks or what lies beyond.
+template <class TileType, int D>
+inline void read_tile(const TileNodes<D, const double>& nodes, TileType& tile) noexcept {
+  bool lacks_nodes = false;
+  for (const auto& along : nodes.offset) {
+    for (Index i = 0; i < TileType::edge; ++i) lacks_nodes |= along[static_cast<std::size_t>(i)] < 0;
+  }
+  const Index first_zero = lacks_nodes ? 0 : TileType::num_values - TileType::num_beyond_values;
+  std::fill(tile.values + first_zero, tile.values + TileType::num_values, 0.0);
+  for_each_run<TileType>(nodes, TilePart<D>::whole(TileType::edge),
+                         [&](const double* run, Index in_tile, Index count) {
+                           double* to = tile.values + in_tile;
+                           for (Index i = 0; i < count; ++i) to[i] = run[i];
+                         });
 }
 
 }  // namespace scree::mpm::SCREE_INSTRUCTION_SET

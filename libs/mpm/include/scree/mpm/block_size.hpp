@@ -15,9 +15,9 @@ inline constexpr Index block_edge = D == 1   ? 32
                                              : 5;
 
 /// How far points may go from their block before all are sorted anew [cells]. A tile may be as long as two
-/// blocks, so that blocks of one colour share no node: in 3D there is no room for more. In 2D two cells halve
-/// the sorts of one; the larger tile, of which only the part that points reach goes to the nodes, costs less
-/// than could be measured.
+/// blocks, so that blocks of one colour share no node: under cubic splines in 3D there is no room for more.
+/// In 2D two cells halve the sorts of one; the larger tile, of which only the part that points reach goes to
+/// the nodes, costs less than could be measured.
 template <int D>
 inline constexpr Index block_skin = D == 2 ? 2 : 1;
 
