@@ -48,11 +48,11 @@ struct LaneMaxima {
 };
 
 /// The points of a block by packs of Real, whose memory of State is in `states`.
-template <class Real, class State, class Law>
+template <class Real, class State, class Law, std::size_t N>
 class PacksOfBlock {
  public:
   using Input = typename Law::template Input<Real>;
-  using Columns = std::array<double*, sizeof(State) / sizeof(Real)>;
+  using Columns = std::array<double*, N>;
 
   /// Both have to outlive it.
   PacksOfBlock(const LawBlock<Law>& block, const Columns& states) noexcept : block_{block}, states_{states} {}
@@ -86,7 +86,7 @@ BlockStiffness update_points(const Law& law, const LawBlock<Law>& block, const s
   static_assert(pack_size % num_lanes<Real> == 0);
   constexpr auto lanes = static_cast<Index>(num_lanes<Real>);
   const Law parameters = law;  // a copy, which the columns that are written cannot be part of
-  const PacksOfBlock<Real, State, Law> packs{block, states};
+  const PacksOfBlock<Real, State, Law, N> packs{block, states};
   LaneMaxima<Real> worst;
   constexpr Index together = PredictsAndCorrects<Law> ? 8 * pack_size : lanes;  // memory stays in cache
   for (Index first = 0; first < block.num_points; first += together) {

@@ -176,7 +176,7 @@ SCREE_KERNEL BlockMotion gather(const AnyShape& any_shape, const AnyTransfer& an
   // stencils begin are known a pack ahead, so that none is mispredicted for long. In space, where sums are
   // long, neither pays.
   constexpr bool is_short = D < 3;
-  constexpr Index at_once = (is_short ? 8 : 1) * Pack::size;
+  constexpr Index at_once = Index{is_short ? 8 : 1} * Pack::size;
   Taken<Pack, D, V> taken[static_cast<std::size_t>(at_once / Pack::size)];
   auto next_begin = beginnings<ShapeType>(columns, place, columns.begin);
   for (Index first = columns.begin; first < columns.end; first += at_once) {
